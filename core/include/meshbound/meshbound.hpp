@@ -1,0 +1,11 @@
+#pragma once
+
+/// Meshbound: error-bounded reduction of triangle meshes that carry data. Include this, or the one header that you need.
+
+#include "meshbound/bounds.hpp"
+#include "meshbound/mesh.hpp"
+#include "meshbound/options.hpp"
+#include "meshbound/reduce.hpp"
+#include "meshbound/report.hpp"
+#include "meshbound/status.hpp"
+#include "meshbound/validate.hpp"

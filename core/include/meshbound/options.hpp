@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace meshbound {
+
+/// How errors are accounted for. Both keep the promise.
+enum class Errors {
+    propagated, ///< the paper's scheme (§3.3.3): signed intervals on the triangles, added up removal by removal
+    tracked,    ///< the map from the original surface is kept and measured against the original at every step
+};
+
+/// What the retriangulation of a hole makes small (§3.4.1). Errors are ratios to the bounds, the largest over all variables.
+enum class Cost {
+    maximum,    ///< the largest accumulated error: keep away from the bounds
+    introduced, ///< the largest error that this removal introduces
+};
+
+struct Options {
+    Errors errors = Errors::propagated;
+    Cost cost = Cost::introduced;
+
+    /// The sweeps over the surface: each removes what stays within this fraction of the bounds. Rising, in (0, 1], the last
+    /// one 1. Early, tighter sweeps take the harmless vertices first.
+    std::vector<double> sweeps = {0.25, 1.0};
+
+    /// Vertices (indices into the input) that must stay.
+    std::vector<std::uint32_t> locked;
+};
+
+/// Called often (every few milliseconds) with the progress so far, 0…1, never falling. Return false to cancel.
+using Progress = std::function<bool(double)>;
+
+} // namespace meshbound

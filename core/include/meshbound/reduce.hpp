@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meshbound/bounds.hpp"
+#include "meshbound/mesh.hpp"
+#include "meshbound/options.hpp"
+#include "meshbound/report.hpp"
+#include "meshbound/status.hpp"
+
+namespace meshbound {
+
+/// The error of one variable on every triangle of the reduced mesh, in the variable's unit, rounded up to single precision.
+struct TriangleErrors {
+    /// No point of the original that lies in this triangle has a larger error. One value a triangle.
+    std::vector<float> largest;
+    /// The signed error, original minus reduced, lies between these. One value a triangle; for position the distance along
+    /// the normal, positive outside (§3.3.1, a diagnostic, not a bound). Empty for a variable with several components.
+    std::vector<float> lowest, highest;
+};
+
+/// The outcome of a reduction.
+struct Reduction {
+    Mesh mesh;                                  ///< the reduced mesh: all variables of the input, in their order
+    std::vector<std::uint32_t> vertices;        ///< for each of its vertices the index in the input, rising
+    std::vector<TriangleErrors> triangle_errors; ///< position first, then the mesh's variables in their order
+    Report report;
+};
+
+/// Reduces a mesh so that every bound holds at every point of its surface:
+///
+/// > There is a continuous map from the original surface onto the reduced one that moves no point by more than the bound
+/// > of `position` and changes no variable by more than its bound.
+///
+/// Boundaries map to boundaries; genus, components and boundary loops are kept. The vertices of the result are a subset of
+/// the input's, with their values bit for bit. The same input gives the same bytes on every machine.
+///
+/// Source: Bajaj & Schikore 1996, §3. Faults: those of validate and resolve_bounds, bad_option, too_large, out_of_memory;
+/// `reduction` is then untouched. A cancelled call returns an ok status and a valid result, marked as cancelled.
+Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Reduction& reduction,
+              const Progress& progress = {});
+
+} // namespace meshbound

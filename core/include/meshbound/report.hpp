@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "meshbound/bounds.hpp"
+#include "meshbound/validate.hpp"
+
+namespace meshbound {
+
+/// What was promised and reached for one variable. Errors and bounds are in the variable's unit.
+struct VariableReport {
+    std::string name;
+    int components = 1;
+    ResolvedBound bound;
+    double error = 0;                ///< no point of the surface has a larger error than this
+    double ratio = 0;                ///< error / bound; 1 is the limit; 0 where the variable is free
+    std::size_t refused = 0;         ///< vertices still there because removing them would break this variable's bound
+};
+
+/// Why vertices that are still there could not go, besides the bounds (see VariableReport::refused).
+struct Refusals {
+    std::size_t fixed = 0;    ///< non-manifold places and locked vertices: never candidates
+    std::size_t topology = 0; ///< removal would change the topology: existing edge, tetrahedron, last loop (§3.2.3)
+    std::size_t fold = 0;     ///< every retriangulation turns away from the surface or folds onto a neighbour
+};
+
+enum class Stopped {
+    finished,  ///< no single vertex can go any more
+    cancelled, ///< the caller cancelled; the result is valid and within the bounds, but larger than need be
+};
+
+struct Report {
+    std::size_t triangles_before = 0, triangles_after = 0;
+    std::size_t vertices_before = 0, vertices_after = 0;
+    std::vector<VariableReport> variables; ///< position first, then the mesh's variables in their order
+    Refusals refused;
+    Oddities oddities;
+    std::size_t non_manifold_vertices = 0; ///< fixed because of non-manifold edges or bow-ties
+    Stopped stopped = Stopped::finished;
+};
+
+} // namespace meshbound

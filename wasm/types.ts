@@ -1,0 +1,80 @@
+/** A named array at the vertices, interleaved: component j of vertex i stands at `values[i * components + j]`. */
+export interface Variable {
+  name: string;
+  components: number;
+  values: Float32Array | Float64Array;
+}
+
+/** An oriented triangle mesh that carries data. */
+export interface Mesh {
+  /** Interleaved x, y, z. */
+  position: Float32Array | Float64Array;
+  /** Three vertex indices a triangle, counter-clockwise seen from outside. */
+  triangles: Uint32Array;
+  variables: Variable[];
+}
+
+/** The largest allowed error: a fraction of the variable's extent, a value in its unit, or none. */
+export type Bound = { relative: number } | { absolute: number } | 'free';
+
+export interface ReduceOptions {
+  /** By variable name; `position` is the geometry, `*` every variable not named. A variable that none reaches is free. */
+  bounds: Record<string, Bound>;
+  /** How errors are accounted for. Default: the core's. */
+  errors?: 'propagated' | 'tracked';
+  /** What retriangulation makes small (§3.4.1). Default: the core's. */
+  cost?: 'maximum' | 'introduced';
+  /** Vertices that must stay. */
+  locked?: Uint32Array;
+  /** Aborts the running reduction; the promise rejects with an AbortError. */
+  signal?: AbortSignal;
+  /** Called with the progress, 0…1, never falling. */
+  onProgress?: (progress: number) => void;
+}
+
+/** What was promised and reached for one variable; errors and bounds in its unit. */
+export interface VariableReport {
+  name: string;
+  components: number;
+  extent: number;
+  magnitude: number;
+  /** Extent is rounding noise; a relative bound was taken from the magnitude. */
+  constant: boolean;
+  /** The bound in the variable's unit; Infinity where it is free. */
+  bound: number;
+  error: number;
+  /** error / bound; 1 is the limit; 0 where it is free. */
+  ratio: number;
+  /** Vertices still there because removing them would break this variable's bound. */
+  refused: number;
+}
+
+export interface Report {
+  triangles: { before: number; after: number };
+  vertices: { before: number; after: number };
+  /** Position first, then the mesh's variables in their order. */
+  variables: VariableReport[];
+  refused: { fixed: number; topology: number; fold: number };
+  oddities: { repeatedVertexTriangles: number; zeroAreaTriangles: number; unusedVertices: number };
+  nonManifoldVertices: number;
+  stopped: 'finished' | 'cancelled';
+  /** Wall time of the reduction in the core. */
+  seconds: number;
+}
+
+/** The error of one variable on every reduced triangle, in its unit. */
+export interface TriangleErrors {
+  largest: Float32Array;
+  /** Signed, original minus reduced; empty for a variable with several components (position: distance along the normal). */
+  lowest: Float32Array;
+  highest: Float32Array;
+}
+
+export interface Reduction {
+  mesh: Mesh;
+  /** For each vertex of the reduced mesh its index in the input. */
+  vertices: Uint32Array;
+  /** Position first, then the mesh's variables in their order. */
+  triangleErrors: TriangleErrors[];
+  report: Report;
+}
