@@ -1,0 +1,71 @@
+#include "judge/joint_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace judge {
+namespace {
+
+const meshbound::Variable& numbered(const meshbound::Mesh& mesh, std::size_t variable) {
+    return variable == 0 ? mesh.position : mesh.variables.at(variable - 1);
+}
+
+bool has_vertex_twice(const glm::uvec3& t) { return t.x == t.y || t.y == t.z || t.z == t.x; }
+
+std::vector<double> joint_rows(const meshbound::Mesh& mesh, const JointSpace& space) {
+    const std::size_t vertices = meshbound::vertex_count(mesh);
+    const std::size_t dimensions = space.origin.size();
+    std::vector<double> rows(vertices * dimensions);
+    std::size_t column = 0;
+    for (std::size_t i = 0; i < space.variables.size(); ++i) {
+        const meshbound::Variable& variable = numbered(mesh, space.variables[i]);
+        if (variable.components != space.components[i] || value_count(variable) != vertices * variable.components)
+            throw std::invalid_argument("the two surfaces do not carry the same variables: " + variable.name);
+        for (int c = 0; c < variable.components; ++c, ++column)
+            for (std::size_t v = 0; v < vertices; ++v)
+                rows[v * dimensions + column] = (value_at(variable, v, c) - space.origin[column]) / space.bounds[i];
+    }
+    return rows;
+}
+
+} // namespace
+
+JointSpace joint_space(const meshbound::Mesh& mesh, const std::vector<double>& bounds) {
+    if (bounds.size() != mesh.variables.size() + 1) throw std::invalid_argument("one bound for position, one a variable");
+    JointSpace space;
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        if (!(bounds[i] > 0)) throw std::invalid_argument("a bound must be positive");
+        if (std::isinf(bounds[i])) continue;
+        const meshbound::Variable& variable = numbered(mesh, i);
+        space.variables.push_back(i);
+        space.components.push_back(variable.components);
+        space.bounds.push_back(bounds[i]);
+        for (int c = 0; c < variable.components; ++c)
+            space.origin.push_back(mesh.triangles.empty() ? 0 : value_at(variable, mesh.triangles.front().x, c));
+    }
+    return space;
+}
+
+JointSurface joint_surface(const meshbound::Mesh& mesh, const JointSpace& space) {
+    JointSurface surface{space.dimensions(), joint_rows(mesh, space), {}};
+    for (const glm::uvec3& t : mesh.triangles)
+        if (!has_vertex_twice(t)) surface.triangles.push_back({t.x, t.y, t.z});
+    return surface;
+}
+
+JointSurface joint_boundary(const meshbound::Mesh& mesh, const JointSpace& space) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+    for (const glm::uvec3& t : mesh.triangles) {
+        if (has_vertex_twice(t)) continue;
+        for (int i = 0; i < 3; ++i) ++uses[std::minmax({t[i], t[(i + 1) % 3]})];
+    }
+    JointSurface curve{space.dimensions(), joint_rows(mesh, space), {}};
+    for (const auto& [edge, count] : uses)
+        if (count == 1) curve.triangles.push_back({edge.first, edge.second, edge.second});
+    return curve;
+}
+
+} // namespace judge

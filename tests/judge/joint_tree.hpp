@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "judge/joint_distance.hpp"
+#include "judge/joint_surface.hpp"
+
+namespace judge {
+
+/// The nearest point of a surface.
+struct Foot {
+    Nearest nearest{JointDistance::infinite, 0, 0};
+    std::uint32_t triangle = 0;
+};
+
+/// A tree of boxes in the joint space over the triangles of a surface. The surface must outlive it.
+class JointTree {
+public:
+    JointTree(const JointSurface& surface, const JointSpace& space);
+
+    /// The point of the surface nearest to `q`; the first one found that is no farther than `enough` ends the search.
+    /// `guess` is a triangle to look at first.
+    Foot nearest(const double* q, double enough, std::uint32_t guess) const;
+
+private:
+    /// An inner node has its children at `first` and `first + 1`; a leaf its triangles at order[first … first + count].
+    struct Node {
+        std::uint32_t first;
+        std::uint32_t count; ///< 0 for an inner node
+    };
+    struct Pending {
+        double distance;
+        std::uint32_t node;
+    };
+
+    void enclose(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
+    void split(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
+    int widest(std::uint32_t node) const;
+    double middle(std::uint32_t triangle, int dimension) const;
+    double box_distance(const double* q, std::uint32_t node) const;
+    void try_triangle(const double* q, double enough, std::uint32_t triangle, Foot& foot) const;
+
+    const JointSurface& surface;
+    std::vector<int> components;
+    JointDistance metric;
+    std::vector<std::uint32_t> order;
+    std::vector<Node> nodes;
+    std::vector<double> boxes; ///< a node's lowest, then its highest corner
+    mutable std::vector<Pending> pending;
+};
+
+} // namespace judge
