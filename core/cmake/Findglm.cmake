@@ -8,7 +8,11 @@ if(TARGET glm::glm)
     return()
 endif()
 
-find_path(GLM_INCLUDE_DIR glm/glm.hpp NO_CMAKE_FIND_ROOT_PATH DOC "The folder that holds glm/glm.hpp")
+# The usual folders are named because a cross-compiling toolchain leaves them out.
+find_path(GLM_INCLUDE_DIR glm/glm.hpp
+    PATHS /usr/local/include /usr/include /opt/homebrew/include
+    NO_CMAKE_FIND_ROOT_PATH
+    DOC "The folder that holds glm/glm.hpp")
 mark_as_advanced(GLM_INCLUDE_DIR)
 
 include(FindPackageHandleStandardArgs)

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hole.hpp"
+#include "retriangulation.hpp"
+
+namespace meshbound {
+
+/// The worst error that a removal would leave: its squared ratio to the bound and the variable it stands in (0: position).
+struct Measured {
+    double squared_ratio = 0;
+    std::size_t variable = 0;
+};
+
+/// The error of one variable on one triangle, in bounds (free variables: in units of their scale).
+struct ErrorRange {
+    double largest = 0;             ///< no point mapped into the triangle has a larger error
+    double lowest = 0, highest = 0; ///< signed; of position: the distance along the normal
+};
+
+/// How errors are accounted for (§3.3): the one difference between the paper's propagation and the tracked map. The loop
+/// that removes vertices asks in this order, for each candidate: enter, costs (as a HoleCost), measure, and, when the
+/// removal is accepted, commit.
+class Accounting : public HoleCost {
+public:
+    /// Looks at the laid-out hole of a candidate.
+    virtual void enter(const Hole& hole) = 0;
+
+    /// The worst error after this removal. May stop early, with a lower bound of it, once it is above `squared_limit`.
+    virtual Measured measure(const Retriangulation& retriangulation, double squared_limit) = 0;
+
+    /// Takes the removal measured last; the surface has been retriangulated, so slots and edges are known.
+    virtual void commit(const Retriangulation& retriangulation) = 0;
+
+    /// What a candidate costs in time, in units of a small star: how much the accounting carries along for it.
+    virtual std::size_t work() const = 0;
+
+    /// The errors on the triangle in `slot`, by row group (position first).
+    virtual void errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const = 0;
+};
+
+} // namespace meshbound

@@ -1,0 +1,125 @@
+#include "legality.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "layout.hpp"
+
+namespace meshbound {
+namespace {
+
+/// A hole with more corners is left alone: the dynamic programme grows with the cube, and such hubs shrink as their
+/// neighbours go.
+constexpr int largest_ring = 48;
+
+/// New triangles keep their normal within this cosine of the hole's (about 84°): beyond, they turn away.
+constexpr double least_turn_cosine = 0.1;
+
+/// Across a rim the surface may bend to this cosine (120°) or as far as it bent before, whichever is more; beyond, it folds
+/// onto its neighbour.
+constexpr double sharpest_bend_cosine = -0.5;
+
+/// A laid-out triangle with less than this fraction of the hole's squared size is degenerate.
+constexpr double least_area = 1e-9;
+
+glm::dvec3 area_vector(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r) {
+    return glm::cross(q - p, r - p);
+}
+
+/// Cosine between two vectors; 1 where one of them is zero: a triangle without area folds onto nothing.
+double cosine(const glm::dvec3& a, const glm::dvec3& b) {
+    const double lengths = glm::length(a) * glm::length(b);
+    return lengths > 0 ? glm::dot(a, b) / lengths : 1;
+}
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+} // namespace
+
+Legality::Legality(const Surface& surface) : ring_position_(surface.vertex_count(), -1) {}
+
+bool Legality::enter(const Surface& surface, const Rows& rows, const Hole& hole) {
+    rows_ = &rows;
+    hole_ = &hole;
+    if (!removable(surface, hole)) return false;
+    find_taken_edges(surface, hole);
+    if (hole.open && taken_[at(hole.size() - 1)]) return false; // the closing edge exists: the loop has three edges
+    normal_ = star_normal(rows, hole);
+    find_neighbours(surface, rows, hole);
+    scale_ = 0;
+    for (const glm::dvec2& place : hole.places) scale_ = std::max(scale_, glm::dot(place, place));
+    return true;
+}
+
+bool Legality::removable(const Surface& surface, const Hole& hole) const {
+    if (hole.size() < 3 || hole.size() > largest_ring) return false;
+    if (hole.size() > 3 || hole.open) return true;
+    const std::uint32_t across = surface.twin(hole.rims[0]); // a ring of three: does its triangle exist on the other side?
+    return across == no_index || surface.target(Surface::next(across)) != hole.ring[2];
+}
+
+/// Ring vertices joined by an edge that is neither rim nor spoke: found by walking around each of them.
+void Legality::find_taken_edges(const Surface& surface, const Hole& hole) {
+    const int size = hole.size();
+    taken_.assign(at(size * size), 0);
+    const auto take = [&](int i, int j) { taken_[at(i * size + j)] = taken_[at(j * size + i)] = 1; };
+    for (int i = 0; i < size; ++i) ring_position_[hole.ring[at(i)]] = i;
+    for (int i = 0; i < size; ++i) {
+        const std::uint32_t vertex = hole.ring[at(i)];
+        if (surface.kind(vertex) == VertexKind::fixed) {
+            for (int j = 0; j < i; ++j)
+                if (surface.fixed_edge_exists(vertex, hole.ring[at(j)])) take(i, j);
+            continue;
+        }
+        const std::uint32_t first = surface.outgoing(vertex);
+        std::uint32_t spoke = first;
+        do {
+            if (const int j = ring_position_[surface.target(spoke)]; j >= 0) take(i, j);
+            const std::uint32_t arriving = Surface::previous(spoke);
+            if (const int j = ring_position_[surface.origin(arriving)]; j >= 0) take(i, j);
+            spoke = surface.twin(arriving);
+        } while (spoke != no_index && spoke != first);
+    }
+    for (const std::uint32_t vertex : hole.ring) ring_position_[vertex] = -1;
+}
+
+void Legality::find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole) {
+    neighbours_.assign(at(hole.sectors()), glm::dvec3(0));
+    old_cosines_.assign(at(hole.sectors()), 1);
+    for (int i = 0; i < hole.sectors(); ++i) {
+        const std::uint32_t twin = surface.twin(hole.rims[at(i)]);
+        if (twin == no_index) continue;
+        const glm::dvec3 p = rows.position(surface.origin(twin)), q = rows.position(surface.target(twin));
+        neighbours_[at(i)] = area_vector(p, q, rows.position(surface.target(Surface::next(twin))));
+        old_cosines_[at(i)] = cosine(neighbours_[at(i)], area_vector(q, p, rows.position(hole.candidate)));
+    }
+}
+
+bool Legality::allows_edge(int i, int j) const {
+    const int size = hole_->size();
+    if (j == i + 1 || (i == 0 && j == size - 1)) return true;
+    if (taken_[at(i * size + j)]) return false;
+    // The candidate of an open hole goes to the closing edge, so every diagonal must leave it on that side.
+    return !hole_->open || orientation(hole_->places[at(i)], hole_->places[at(j)], glm::dvec2(0)) >= 0;
+}
+
+bool Legality::folds_onto_neighbour(const glm::dvec3& normal, int rim) const {
+    if (rim >= hole_->sectors()) return false; // the closing edge of an open hole
+    const double bend = cosine(neighbours_[at(rim)], normal);
+    return bend < sharpest_bend_cosine && bend < old_cosines_[at(rim)];
+}
+
+bool Legality::allows_triangle(int a, int m, int b) const {
+    const Hole& hole = *hole_;
+    if (orientation(hole.places[at(a)], hole.places[at(m)], hole.places[at(b)]) <= least_area * scale_) return false;
+    const auto position = [&](int i) { return rows_->position(hole.ring[at(i)]); };
+    const glm::dvec3 normal = area_vector(position(a), position(m), position(b));
+    if (glm::dot(normal, normal_) < least_turn_cosine * glm::length(normal) * glm::length(normal_)) return false;
+    if (m == a + 1 && folds_onto_neighbour(normal, a)) return false;
+    if (b == m + 1 && folds_onto_neighbour(normal, m)) return false;
+    return !(a == 0 && b == hole.size() - 1 && folds_onto_neighbour(normal, b));
+}
+
+} // namespace meshbound

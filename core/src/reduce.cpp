@@ -1,0 +1,154 @@
+#include "meshbound/reduce.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+#include "propagation.hpp"
+#include "rows.hpp"
+#include "surface.hpp"
+#include "sweep.hpp"
+#include "ticker.hpp"
+
+namespace meshbound {
+namespace {
+
+Status check_options(const Mesh& mesh, const Options& options) {
+    const std::vector<double>& sweeps = options.sweeps;
+    const bool rising = std::adjacent_find(sweeps.begin(), sweeps.end(), std::greater_equal<>()) == sweeps.end();
+    if (sweeps.empty() || !(sweeps.front() > 0) || sweeps.back() != 1 || !rising)
+        return {Fault::bad_option, "The sweeps must be rising fractions above 0, the last one 1.", "", {}};
+    for (std::size_t i = 0; i < options.locked.size(); ++i)
+        if (options.locked[i] >= vertex_count(mesh))
+            return {Fault::bad_option,
+                    "Locked vertex " + std::to_string(options.locked[i]) + " does not exist; the mesh has " +
+                        std::to_string(vertex_count(mesh)) + " vertices (counted from 0).",
+                    "", i};
+    return {};
+}
+
+/// Interior and boundary vertices are candidates unless the user locked them (§3.1: all vertices are candidates).
+std::vector<char> find_candidates(const Surface& surface, const std::vector<std::uint32_t>& locked) {
+    std::vector<char> candidate(surface.vertex_count(), 0);
+    for (std::uint32_t vertex = 0; vertex < candidate.size(); ++vertex)
+        candidate[vertex] =
+            surface.kind(vertex) == VertexKind::interior || surface.kind(vertex) == VertexKind::boundary;
+    for (const std::uint32_t vertex : locked) candidate[vertex] = 0;
+    return candidate;
+}
+
+/// The current surface as a mesh of its own: vertices in rising order of the input, triangles in the order of their slots.
+void extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduction) {
+    std::vector<std::uint32_t> renamed(surface.vertex_count(), no_index);
+    for (std::uint32_t vertex = 0; vertex < renamed.size(); ++vertex) {
+        if (surface.kind(vertex) == VertexKind::absent) continue;
+        renamed[vertex] = static_cast<std::uint32_t>(reduction.vertices.size());
+        reduction.vertices.push_back(vertex);
+    }
+    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot)
+        if (surface.alive(slot))
+            reduction.mesh.triangles.push_back({renamed[surface.origin(3 * slot)], renamed[surface.origin(3 * slot + 1)],
+                                                renamed[surface.origin(3 * slot + 2)]});
+    reduction.mesh.position = gather(mesh.position, reduction.vertices);
+    for (const Variable& variable : mesh.variables) reduction.mesh.variables.push_back(gather(variable, reduction.vertices));
+}
+
+/// Rounded up, so that the single-precision figure is still a bound.
+float upper_float(double value) {
+    const auto rounded = static_cast<float>(value);
+    return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
+}
+
+void extract_errors(const Surface& surface, const Rows& rows, const Accounting& accounting, Reduction& reduction) {
+    reduction.triangle_errors.resize(rows.groups().size());
+    std::vector<ErrorRange> ranges;
+    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
+        if (!surface.alive(slot)) continue;
+        accounting.errors(slot, ranges);
+        for (const RowGroup& group : rows.groups()) {
+            const ErrorRange& range = ranges[group.variable];
+            const double unit = rows.unit(group);
+            TriangleErrors& errors = reduction.triangle_errors[group.variable];
+            VariableReport& report = reduction.report.variables[group.variable];
+            report.error = std::max(report.error, range.largest * unit);
+            if (group.bounded) report.ratio = std::max(report.ratio, range.largest);
+            errors.largest.push_back(upper_float(range.largest * unit));
+            if (group.count > 1 && group.variable != 0) continue;
+            errors.lowest.push_back(-upper_float(-range.lowest * unit));
+            errors.highest.push_back(upper_float(range.highest * unit));
+        }
+    }
+}
+
+void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate, Report& report) {
+    for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
+        if (surface.kind(vertex) == VertexKind::absent) continue;
+        if (!candidate[vertex]) {
+            ++report.refused.fixed;
+            continue;
+        }
+        const Verdict& verdict = sweeper.verdict(vertex);
+        if (verdict.refusal == Refusal::topology) ++report.refused.topology;
+        if (verdict.refusal == Refusal::fold) ++report.refused.fold;
+        if (verdict.refusal == Refusal::bound) ++report.variables[verdict.variable].refused;
+    }
+}
+
+Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Oddities& oddities) {
+    Report report;
+    report.triangles_before = mesh.triangles.size();
+    report.vertices_before = vertex_count(mesh);
+    report.oddities = oddities;
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        const Variable& variable = i == 0 ? mesh.position : mesh.variables[i - 1];
+        report.variables.push_back({variable.name, variable.components, bounds[i]});
+    }
+    return report;
+}
+
+Reduction run(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Options& options, const Oddities& oddities,
+              const Progress& progress) {
+    Reduction reduction;
+    reduction.report = begin_report(mesh, bounds, oddities);
+    Report& report = reduction.report;
+    Ticker ticker(progress);
+    const Rows rows(mesh, bounds);
+    Surface surface(mesh.triangles, vertex_count(mesh));
+    report.non_manifold_vertices = surface.count(VertexKind::fixed);
+    const std::vector<char> candidate = find_candidates(surface, options.locked);
+    Propagation accounting(rows, surface.slot_count(), options.cost);
+    Sweeper sweeper(surface, rows, accounting, candidate);
+
+    std::vector<double> limits = options.sweeps;
+    for (double& limit : limits) limit *= rows.limit();
+    if (!sweeper.sweep(limits, ticker)) report.stopped = Stopped::cancelled;
+
+    extract_mesh(mesh, surface, reduction);
+    extract_errors(surface, rows, accounting, reduction);
+    count_refusals(surface, sweeper, candidate, report);
+    report.triangles_after = reduction.mesh.triangles.size();
+    report.vertices_after = reduction.vertices.size();
+    ticker.finish();
+    return reduction;
+}
+
+} // namespace
+
+Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Reduction& reduction,
+              const Progress& progress) {
+    try {
+        Oddities oddities;
+        if (Status status = validate(mesh, &oddities); !status.ok()) return status;
+        std::vector<ResolvedBound> resolved;
+        if (Status status = resolve_bounds(mesh, bounds, resolved); !status.ok()) return status;
+        if (Status status = check_options(mesh, options); !status.ok()) return status;
+        reduction = run(mesh, resolved, options, oddities, progress);
+        return {};
+    } catch (const std::bad_alloc&) {
+        return {Fault::out_of_memory,
+                "There is no memory left for reducing " + std::to_string(mesh.triangles.size()) + " triangles.", "", {}};
+    }
+}
+
+} // namespace meshbound

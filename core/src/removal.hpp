@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "accounting.hpp"
+#include "hole.hpp"
+#include "layout.hpp"
+#include "legality.hpp"
+#include "retriangulation.hpp"
+#include "rows.hpp"
+#include "surface.hpp"
+
+namespace meshbound {
+
+/// Why a candidate is still there.
+enum class Refusal : std::uint8_t {
+    none,     ///< it was removed, or not looked at yet
+    topology, ///< §3.2.3, or too large a ring
+    fold,     ///< no retriangulation without a fold
+    bound,    ///< a bound would break
+};
+
+struct Verdict {
+    Refusal refusal = Refusal::none;
+    double squared_ratio = 0;  ///< with Refusal::bound: at least this squared ratio to the bound would have resulted
+    std::size_t variable = 0;  ///< and in this variable
+};
+
+/// One removal, start to end (§3.1): star, layout, retriangulation, mapping, measurement, and acceptance or nothing.
+class Removal {
+public:
+    Removal(Surface& surface, const Rows& rows, Accounting& accounting);
+
+    /// Removes the candidate if every error stays within the limit (squared ratio), else leaves everything as it was.
+    Verdict attempt(std::uint32_t candidate, double squared_limit);
+
+    /// The hole of the last attempt: after a removal its ring is what changed.
+    const Hole& hole() const { return hole_; }
+
+private:
+    Surface& surface_;
+    const Rows& rows_;
+    Accounting& accounting_;
+    Hole hole_;
+    Legality legality_;
+    Retriangulator retriangulator_;
+    Retriangulation retriangulation_;
+};
+
+} // namespace meshbound

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "hole.hpp"
+#include "legality.hpp"
+#include "rows.hpp"
+
+namespace meshbound {
+
+/// What a retriangulation is charged for (§3.4.1). Costs add up over its diagonals and triangles and are never negative.
+class HoleCost {
+public:
+    virtual ~HoleCost() = default;
+    /// Cost of the diagonal between ring positions i < j.
+    virtual double diagonal(int i, int j) = 0;
+    /// Cost of the triangle of ring positions a < m < b.
+    virtual double triangle(int a, int m, int b) = 0;
+};
+
+/// The cheapest legal triangulation of a hole, by dynamic programming over the polygon: O(k³) triangles for k corners. It
+/// stands for the greedy start and edge flips of §3.4, which it cannot be worse than.
+class Retriangulator {
+public:
+    /// Fills `best`; false where no legal triangulation exists.
+    bool triangulate(const Rows& rows, const Hole& hole, const Legality& legality, HoleCost& cost, Retriangulation& best);
+
+private:
+    void solve(const Rows& rows, const Hole& hole, const Legality& legality, HoleCost& cost);
+    void unfold(int size, Retriangulation& best) const;
+
+    std::vector<double> cost_;  // [a * size + b]: cheapest filling of the sub-polygon a … b
+    std::vector<int> middle_;   // the third corner of its triangle on (a, b); -1: none is legal
+};
+
+} // namespace meshbound

@@ -1,0 +1,72 @@
+#include "rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace meshbound {
+namespace {
+
+/// Operations between a stored value and the error that is compared with its bound, each rounding once.
+constexpr double operations = 64;
+
+double unit_of(const ResolvedBound& bound) {
+    if (std::isfinite(bound.absolute)) return bound.absolute;
+    return bound.extent > 0 ? bound.extent : 1;
+}
+
+/// Lowest and highest value of one component, so that rows can be centred: a far offset must not cost precision.
+double centre_of(const Variable& variable, int component) {
+    const std::size_t vertices = value_count(variable) / static_cast<std::size_t>(variable.components);
+    double lowest = value_at(variable, 0, component), highest = lowest;
+    for (std::size_t vertex = 1; vertex < vertices; ++vertex) {
+        const double value = value_at(variable, vertex, component);
+        lowest = std::min(lowest, value);
+        highest = std::max(highest, value);
+    }
+    return lowest + (highest - lowest) / 2;
+}
+
+void fill(const Variable& variable, const RowGroup& group, double unit, std::size_t width, std::vector<double>& rows) {
+    const std::size_t vertices = rows.size() / width;
+    for (int component = 0; component < group.count; ++component) {
+        const double centre = centre_of(variable, component);
+        const auto column = static_cast<std::size_t>(group.first + component);
+        for (std::size_t vertex = 0; vertex < vertices; ++vertex)
+            rows[vertex * width + column] = (value_at(variable, vertex, component) - centre) / unit;
+    }
+}
+
+} // namespace
+
+Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds) {
+    const auto variable = [&](std::size_t i) -> const Variable& { return i == 0 ? mesh.position : mesh.variables[i - 1]; };
+    double margin = 0;
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        groups_.push_back({width_, variable(i).components, i, std::isfinite(bounds[i].absolute)});
+        units_.push_back(unit_of(bounds[i]));
+        width_ += variable(i).components;
+        margin = std::max(margin, rounding_margin(bounds[i]));
+    }
+    limit_ = 1 - margin;
+    values_.resize(vertex_count(mesh) * static_cast<std::size_t>(width_));
+    for (const RowGroup& group : groups_)
+        fill(variable(group.variable), group, unit(group), static_cast<std::size_t>(width_), values_);
+}
+
+double rounding_margin(const ResolvedBound& bound) {
+    return operations * std::numeric_limits<double>::epsilon() * bound.extent / bound.absolute;
+}
+
+double squared_ratio(const double* difference, const std::vector<RowGroup>& groups) {
+    double worst = 0;
+    for (const RowGroup& group : groups) {
+        if (!group.bounded) continue;
+        double square = 0;
+        for (int i = group.first; i < group.first + group.count; ++i) square += difference[i] * difference[i];
+        worst = std::max(worst, square);
+    }
+    return worst;
+}
+
+} // namespace meshbound

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "meshbound/bounds.hpp"
+#include "meshbound/mesh.hpp"
+
+namespace meshbound {
+
+/// The components of one variable within a row.
+struct RowGroup {
+    int first = 0, count = 0;  ///< components [first, first + count) of the row
+    std::size_t variable = 0;  ///< 0 is position, i + 1 the mesh's variable i
+    bool bounded = true;       ///< a free variable stands in units of its scale and holds nothing back
+};
+
+/// Every vertex as one row of numbers measured in bounds: position first, then the variables, each component centred and
+/// divided by its variable's bound. Every check of the promise becomes "norm of each group ≤ 1", without units. Free
+/// variables are divided by their extent instead.
+///
+///     3 vertices, bounds position 0.5, pressure 10:   row = {x / 0.5, y / 0.5, z / 0.5, p / 10} (each centred)
+class Rows {
+public:
+    Rows() = default;
+    Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds);
+
+    const double* operator[](std::uint32_t vertex) const { return &values_[vertex * std::size_t(width_)]; }
+    int width() const { return width_; }
+    const std::vector<RowGroup>& groups() const { return groups_; }
+
+    /// Position of a vertex, in bounds of position.
+    glm::dvec3 position(std::uint32_t vertex) const {
+        const double* row = (*this)[vertex];
+        return {row[0], row[1], row[2]};
+    }
+
+    /// The unit of a group: multiply a difference of its row components by this to have it in the variable's unit.
+    double unit(const RowGroup& group) const { return units_[group.variable]; }
+
+    /// The largest ratio that may be accepted: 1 less what rounding can hide.
+    double limit() const { return limit_; }
+
+private:
+    int width_ = 0;
+    double limit_ = 1;
+    std::vector<RowGroup> groups_;
+    std::vector<double> units_;
+    std::vector<double> values_;
+};
+
+/// How far rounding can push an error across the bound, as a ratio to the bound: an error is a difference of interpolated
+/// values, a few dozen operations on numbers no larger than the extent.
+double rounding_margin(const ResolvedBound& bound);
+
+/// Above this margin a bound is refused as too fine: the promise would rest on rounding noise.
+inline constexpr double largest_rounding_margin = 1e-3;
+
+/// Largest ratio to its bound over the bounded groups of a row of differences, squared.
+double squared_ratio(const double* difference, const std::vector<RowGroup>& groups);
+
+} // namespace meshbound

@@ -1,0 +1,159 @@
+#include "surface.hpp"
+
+#include <algorithm>
+
+#include "hole.hpp"
+
+namespace meshbound {
+namespace {
+
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+    return (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
+}
+
+} // namespace
+
+Surface::Surface(const std::vector<glm::uvec3>& triangles, std::size_t vertices)
+    : outgoing_(vertices, no_index), kind_(vertices, VertexKind::absent) {
+    origin_.reserve(3 * triangles.size());
+    for (const glm::uvec3& triangle : triangles) {
+        if (triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x) continue;
+        for (int corner = 0; corner < 3; ++corner) origin_.push_back(triangle[corner]);
+    }
+    triangle_count_ = slot_count();
+    pair_half_edges();
+    classify();
+    remember_fixed_edges();
+}
+
+/// Sorts the half-edges by their lower vertex (counting sort), then within one vertex by the other end, and pairs them.
+void Surface::pair_half_edges() {
+    const auto half_edges = static_cast<std::uint32_t>(origin_.size());
+    const auto lower = [&](std::uint32_t h) { return std::min(origin(h), target(h)); };
+    const auto upper = [&](std::uint32_t h) { return std::max(origin(h), target(h)); };
+    std::vector<std::uint32_t> start(kind_.size() + 1, 0), sorted(half_edges);
+    for (std::uint32_t h = 0; h < half_edges; ++h) ++start[lower(h) + 1];
+    for (std::size_t v = 0; v < kind_.size(); ++v) start[v + 1] += start[v];
+    std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
+    for (std::uint32_t h = 0; h < half_edges; ++h) sorted[fill[lower(h)]++] = h;
+
+    twin_.assign(half_edges, no_index);
+    edge_.assign(half_edges, no_index);
+    for (std::size_t v = 0; v < kind_.size(); ++v) {
+        const auto first = sorted.begin() + start[v], last = sorted.begin() + start[v + 1];
+        std::sort(first, last, [&](std::uint32_t g, std::uint32_t h) {
+            return upper(g) != upper(h) ? upper(g) < upper(h) : g < h;
+        });
+        for (auto run = first; run != last;) {
+            auto end = run + 1;
+            while (end != last && upper(*end) == upper(*run)) ++end;
+            if (end - run == 2 && origin(run[0]) != origin(run[1])) {
+                pair(run[0], run[1]);
+            } else {
+                if (end - run > 1) kind_[origin(*run)] = kind_[target(*run)] = VertexKind::fixed;
+                for (auto it = run; it != end; ++it) edge_[*it] = static_cast<std::uint32_t>(edge_count_++);
+            }
+            run = end;
+        }
+    }
+}
+
+void Surface::pair(std::uint32_t h, std::uint32_t g) {
+    twin_[h] = g;
+    twin_[g] = h;
+    edge_[h] = edge_[g] = static_cast<std::uint32_t>(edge_count_++);
+}
+
+/// A vertex is interior or boundary when one walk around it meets all its triangles; a boundary walk starts where there is
+/// no twin. All vertices of non-manifold edges were marked as fixed before.
+void Surface::classify() {
+    std::vector<std::uint32_t> valence(kind_.size(), 0);
+    for (std::uint32_t h = 0; h < origin_.size(); ++h) {
+        const std::uint32_t vertex = origin_[h];
+        ++valence[vertex];
+        if (outgoing_[vertex] == no_index || twin_[h] == no_index) outgoing_[vertex] = h;
+    }
+    for (std::uint32_t vertex = 0; vertex < kind_.size(); ++vertex) {
+        if (valence[vertex] == 0 || kind_[vertex] == VertexKind::fixed) continue;
+        const std::uint32_t start = outgoing_[vertex];
+        if (fan_length(start) != valence[vertex]) kind_[vertex] = VertexKind::fixed;
+        else kind_[vertex] = twin_[start] == no_index ? VertexKind::boundary : VertexKind::interior;
+    }
+}
+
+std::uint32_t Surface::fan_length(std::uint32_t start) const {
+    std::uint32_t length = 0, spoke = start;
+    do {
+        ++length;
+        spoke = next_spoke(spoke);
+    } while (spoke != no_index && spoke != start);
+    return length;
+}
+
+void Surface::remember_fixed_edges() {
+    for (std::uint32_t h = 0; h < origin_.size(); ++h)
+        if (kind_[origin(h)] == VertexKind::fixed && kind_[target(h)] == VertexKind::fixed)
+            fixed_edges_.insert(edge_key(origin(h), target(h)));
+}
+
+bool Surface::fixed_edge_exists(std::uint32_t a, std::uint32_t b) const {
+    return fixed_edges_.count(edge_key(a, b)) > 0;
+}
+
+std::size_t Surface::count(VertexKind kind) const {
+    return static_cast<std::size_t>(std::count(kind_.begin(), kind_.end(), kind));
+}
+
+void Surface::retriangulate(const Hole& hole, Retriangulation& retriangulation) {
+    struct Rim {
+        std::uint32_t twin, edge;
+    };
+    std::vector<Rim> rims;
+    for (const std::uint32_t h : hole.rims) rims.push_back({twin_[h], edge_[h]});
+    for (const std::uint32_t slot : hole.slots) origin_[3 * std::size_t(slot)] = no_index;
+
+    std::vector<NewTriangle>& fresh = retriangulation.triangles;
+    std::size_t spare_edge = 0;
+    const auto attach_rim = [&](std::uint32_t h, int rim) {
+        const Rim& old = rims[static_cast<std::size_t>(rim)];
+        twin_[h] = old.twin;
+        edge_[h] = old.edge;
+        if (old.twin != no_index) twin_[old.twin] = h;
+    };
+    for (std::size_t n = 0; n < fresh.size(); ++n) {
+        NewTriangle& triangle = fresh[n];
+        triangle.slot = hole.slots[n];
+        const std::uint32_t h = 3 * triangle.slot; // h: a → m, h + 1: m → b, h + 2: b → a
+        origin_[h] = hole.ring[static_cast<std::size_t>(triangle.a)];
+        origin_[h + 1] = hole.ring[static_cast<std::size_t>(triangle.m)];
+        origin_[h + 2] = hole.ring[static_cast<std::size_t>(triangle.b)];
+        if (triangle.left < 0) attach_rim(h, triangle.a);
+        if (triangle.right < 0) attach_rim(h + 1, triangle.m);
+        if (triangle.parent < 0 && !hole.open) {
+            attach_rim(h + 2, triangle.b);
+            triangle.edge = edge_[h + 2];
+            continue;
+        }
+        triangle.edge = hole.spoke_edges[spare_edge++];
+        edge_[h + 2] = triangle.edge;
+        twin_[h + 2] = no_index;
+        if (triangle.parent < 0) continue;
+        const NewTriangle& parent = fresh[static_cast<std::size_t>(triangle.parent)];
+        const std::uint32_t g = 3 * parent.slot + (parent.a == triangle.a ? 0 : 1);
+        twin_[h + 2] = g;
+        twin_[g] = h + 2;
+        edge_[g] = triangle.edge;
+    }
+    for (const NewTriangle& triangle : fresh)
+        for (std::uint32_t h = 3 * triangle.slot; h < 3 * triangle.slot + 3; ++h)
+            if (kind_[origin_[h]] == VertexKind::interior || twin_[h] == no_index) outgoing_[origin_[h]] = h;
+    for (const NewTriangle& triangle : fresh)
+        for (std::uint32_t h = 3 * triangle.slot; h < 3 * triangle.slot + 3; ++h)
+            if (kind_[origin_[h]] == VertexKind::fixed && kind_[target(h)] == VertexKind::fixed)
+                fixed_edges_.insert(edge_key(origin_[h], target(h)));
+    kind_[hole.candidate] = VertexKind::absent;
+    outgoing_[hole.candidate] = no_index;
+    triangle_count_ -= hole.slots.size() - fresh.size();
+}
+
+} // namespace meshbound

@@ -1,0 +1,56 @@
+#include "sweep.hpp"
+
+#include <algorithm>
+
+namespace meshbound {
+
+Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate)
+    : surface_(surface), accounting_(accounting), removal_(surface, rows, accounting), candidate_(std::move(candidate)),
+      queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1), verdicts_(candidate_.size()) {}
+
+bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker) {
+    const double share = 1.0 / static_cast<double>(limits.size());
+    for (std::size_t i = 0; i < limits.size(); ++i)
+        if (!sweep_once(limits[i] * limits[i], ticker, static_cast<double>(i) * share, share)) return false;
+    return true;
+}
+
+/// Everything whose star changed since it was last looked at, or whose known error the limit has passed.
+void Sweeper::queue_candidates(double squared_limit) {
+    queue_.clear();
+    for (std::uint32_t vertex = 0; vertex < candidate_.size(); ++vertex) {
+        const Verdict& verdict = verdicts_[vertex];
+        if (fresh_[vertex] || (verdict.refusal == Refusal::bound && verdict.squared_ratio <= squared_limit)) queue(vertex);
+    }
+}
+
+void Sweeper::queue(std::uint32_t vertex) {
+    if (queued_[vertex] || !candidate_[vertex]) return;
+    queued_[vertex] = 1;
+    queue_.push_back(vertex);
+}
+
+void Sweeper::attempt(std::uint32_t vertex, double squared_limit) {
+    fresh_[vertex] = 0;
+    verdicts_[vertex] = removal_.attempt(vertex, squared_limit);
+    if (verdicts_[vertex].refusal != Refusal::none) return;
+    candidate_[vertex] = 0;
+    for (const std::uint32_t neighbour : removal_.hole().ring) {
+        fresh_[neighbour] = 1;
+        queue(neighbour);
+    }
+}
+
+bool Sweeper::sweep_once(double squared_limit, Ticker& ticker, double start, double share) {
+    queue_candidates(squared_limit);
+    for (std::size_t next = 0; next < queue_.size(); ++next) {
+        const std::uint32_t vertex = queue_[next];
+        queued_[vertex] = 0;
+        attempt(vertex, squared_limit);
+        const double done = static_cast<double>(next + 1) / static_cast<double>(queue_.size());
+        if (!ticker.tick(accounting_.work(), start + share * done)) return false;
+    }
+    return true;
+}
+
+} // namespace meshbound

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "removal.hpp"
+#include "ticker.hpp"
+
+namespace meshbound {
+
+/// The order of removal: few sweeps, each taking in turn whatever stays within its fraction of the bounds. A refused
+/// candidate is remembered with the error it would have caused and skipped until its star changes or the limit passes that
+/// error. A sweep ends when no vertex is left to look at.
+class Sweeper {
+public:
+    /// `candidate[v]`: whether vertex v may go at all.
+    Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate);
+
+    /// Sweeps with each limit (fractions of the bounds, rising). False when the ticker cancelled.
+    bool sweep(const std::vector<double>& limits, Ticker& ticker);
+
+    /// The verdict on a vertex that is still there, from its last attempt.
+    const Verdict& verdict(std::uint32_t vertex) const { return verdicts_[vertex]; }
+
+private:
+    bool sweep_once(double squared_limit, Ticker& ticker, double start, double share);
+    void queue_candidates(double squared_limit);
+    void queue(std::uint32_t vertex);
+    void attempt(std::uint32_t vertex, double squared_limit);
+
+    Surface& surface_;
+    Accounting& accounting_;
+    Removal removal_;
+    std::vector<char> candidate_;
+    std::vector<char> queued_;
+    std::vector<char> fresh_; // never looked at since its star changed
+    std::vector<Verdict> verdicts_;
+    std::vector<std::uint32_t> queue_; // processed from the front; grows at the back
+};
+
+} // namespace meshbound

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "meshbound/options.hpp"
+
+namespace meshbound {
+
+/// Reports progress and asks for cancellation once in a while: often enough to answer within milliseconds, rarely enough to
+/// cost nothing. Counts work instead of time, so that asking the clock is not part of the inner loop.
+class Ticker {
+public:
+    explicit Ticker(const Progress& progress) : progress_(progress) {}
+
+    /// `work` units were done, `progress` of the whole is reached. False when the caller wants to cancel.
+    bool tick(std::size_t work, double progress) {
+        reached_ = std::max(reached_, std::min(progress, 1.0));
+        pending_ += work;
+        if (pending_ < work_between_calls) return !cancelled_;
+        pending_ = 0;
+        if (progress_ && !cancelled_) cancelled_ = !progress_(reached_);
+        return !cancelled_;
+    }
+
+    /// Tells the caller that all is done.
+    void finish() {
+        if (progress_ && !cancelled_) progress_(1.0);
+    }
+
+    bool cancelled() const { return cancelled_; }
+
+private:
+    /// A small star takes a few microseconds; this many take a few milliseconds.
+    static constexpr std::size_t work_between_calls = 512;
+
+    const Progress& progress_;
+    std::size_t pending_ = 0;
+    double reached_ = 0;
+    bool cancelled_ = false;
+};
+
+} // namespace meshbound
