@@ -1,0 +1,96 @@
+#include <chrono>
+#include <exception>
+#include <new>
+
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include "from_js.hpp"
+#include "to_js.hpp"
+
+namespace meshbound::js {
+
+using emscripten::val;
+
+namespace {
+
+val success(const val& value) {
+    val result = val::object();
+    result.set("ok", true);
+    result.set("value", value);
+    return result;
+}
+
+val failure(const val& fault) {
+    val result = val::object();
+    result.set("ok", false);
+    result.set("failure", fault);
+    return result;
+}
+
+val failure(const Status& status) { return failure(failure_to(status)); }
+
+/// What no documented fault explains: a mistake of this library, not of its caller.
+val internal_failure(const char* message) {
+    val fault = val::object();
+    fault.set("code", "internal");
+    fault.set("message", message);
+    return failure(fault);
+}
+
+/// Runs a call so that no C++ exception ever reaches JavaScript, where it would be a number without a meaning.
+template <class Call>
+val guarded(Call call) {
+    try {
+        return call();
+    } catch (const ShapeError& error) {
+        return failure(error.status);
+    } catch (const std::bad_alloc&) {
+        return failure(
+            {Fault::out_of_memory, "There is not enough memory for this mesh (WebAssembly has 4 GB).", {}, {}});
+    } catch (const std::exception& error) {
+        return internal_failure(error.what());
+    } catch (...) {
+        return internal_failure("An exception of unknown type was thrown.");
+    }
+}
+
+/// `on_progress(progress)` returns whether to go on.
+val reduce_mesh(const val& mesh, const val& options, const val& on_progress) {
+    return guarded([&] {
+        const Mesh input = mesh_from(mesh);
+        const Bounds bounds = bounds_from(options["bounds"]);
+        const Options settings = options_from(options);
+        const Progress progress = [&](double done) { return on_progress(done).as<bool>(); };
+
+        Reduction reduction;
+        const auto start = std::chrono::steady_clock::now();
+        const Status status = reduce(input, bounds, settings, reduction, progress);
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        return status.ok() ? success(reduction_to(reduction, elapsed.count())) : failure(status);
+    });
+}
+
+val inspect_mesh(const val& mesh) {
+    return guarded([&] {
+        const Mesh input = mesh_from(mesh);
+        Oddities oddities;
+        if (const Status status = validate(input, &oddities); !status.ok()) {
+            return failure(status);
+        }
+        std::vector<ResolvedBound> bounds;
+        if (const Status status = resolve_bounds(input, {{"*", free_of_bound()}}, bounds); !status.ok()) {
+            return failure(status);
+        }
+        return success(inspection_to(input, oddities, bounds));
+    });
+}
+
+} // namespace
+
+EMSCRIPTEN_BINDINGS(meshbound) {
+    emscripten::function("reduce", &reduce_mesh);
+    emscripten::function("inspect", &inspect_mesh);
+}
+
+} // namespace meshbound::js

@@ -1,0 +1,33 @@
+import { MeshboundError } from './errors.ts';
+import type { Mesh, Variable } from './types.ts';
+
+function checkValues(values: unknown, what: string): void {
+  if (!(values instanceof Float32Array || values instanceof Float64Array)) {
+    throw new TypeError(`The ${what} must be a Float32Array or a Float64Array.`);
+  }
+}
+
+function checkTriangles(triangles: unknown): void {
+  if (!(triangles instanceof Uint32Array)) {
+    throw new TypeError('The triangles must be a Uint32Array.');
+  }
+  if (triangles.length % 3 !== 0) {
+    const message = `The triangles hold ${triangles.length} indices, which is not a multiple of three.`;
+    throw new MeshboundError({ code: 'bad_index', message, index: Math.floor(triangles.length / 3) });
+  }
+}
+
+function copyVariable({ name, components, values }: Variable): Variable {
+  checkValues(values, `values of "${name}"`);
+  return { name, components, values: values.slice() };
+}
+
+/**
+ * A copy whose buffers are its own, so that they can be transferred while the caller's stay as they are. Throws a TypeError
+ * for arrays of another type; everything else is the core's to judge.
+ */
+export function copyMesh({ position, triangles, variables }: Mesh): Mesh {
+  checkValues(position, 'position');
+  checkTriangles(triangles);
+  return { position: position.slice(), triangles: triangles.slice(), variables: variables.map(copyVariable) };
+}

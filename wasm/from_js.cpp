@@ -1,0 +1,124 @@
+#include "from_js.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace meshbound::js {
+
+using emscripten::typed_memory_view;
+using emscripten::val;
+
+namespace {
+
+/// Copies a typed array into memory that was allocated for it. The view dies at the next allocation, so it is not kept.
+template <class T>
+void copy_into(T* memory, std::size_t count, const val& array) {
+    val(typed_memory_view(count, memory)).call<void>("set", array);
+}
+
+template <class T>
+std::vector<T> vector_from(const val& array) {
+    std::vector<T> copy(array["length"].as<std::size_t>());
+    copy_into(copy.data(), copy.size(), array);
+    return copy;
+}
+
+Values values_from(const val& array) {
+    if (array.instanceof (val::global("Float64Array"))) {
+        return vector_from<double>(array);
+    }
+    return vector_from<float>(array);
+}
+
+Bound bound_from(const std::string& name, const val& bound) {
+    if (bound.isString() && bound.as<std::string>() == "free") {
+        return free_of_bound();
+    }
+    if (!bound.isString() && !bound.isNull() && !bound.isUndefined()) {
+        if (bound["relative"].isNumber()) {
+            return relative(bound["relative"].as<double>());
+        }
+        if (bound["absolute"].isNumber()) {
+            return absolute(bound["absolute"].as<double>());
+        }
+    }
+    throw ShapeError{{Fault::bad_bound,
+                      "The bound of \"" + name + "\" is none of { relative: number }, { absolute: number } and 'free'.",
+                      name,
+                      {}}};
+}
+
+[[noreturn]] void refuse_option(const char* option, const std::string& given) {
+    throw ShapeError{
+        {Fault::bad_option, "The option " + std::string(option) + " cannot be \"" + given + "\".", {}, {}}};
+}
+
+Errors errors_from(const std::string& name) {
+    if (name == "propagated") {
+        return Errors::propagated;
+    }
+    if (name == "tracked") {
+        return Errors::tracked;
+    }
+    refuse_option("errors", name);
+}
+
+Cost cost_from(const std::string& name) {
+    if (name == "maximum") {
+        return Cost::maximum;
+    }
+    if (name == "introduced") {
+        return Cost::introduced;
+    }
+    refuse_option("cost", name);
+}
+
+} // namespace
+
+Mesh mesh_from(const val& mesh) {
+    Mesh result;
+    result.position.values = values_from(mesh["position"]);
+
+    const val triangles = mesh["triangles"];
+    result.triangles.resize(triangles["length"].as<std::size_t>() / 3);
+    static_assert(sizeof(glm::uvec3) == 3 * sizeof(std::uint32_t), "triangles are three indices without gaps");
+    if (!result.triangles.empty()) {
+        copy_into(&result.triangles.front().x, result.triangles.size() * 3, triangles);
+    }
+
+    const val variables = mesh["variables"];
+    const auto count = variables["length"].as<std::size_t>();
+    for (std::size_t i = 0; i < count; ++i) {
+        const val variable = variables[i];
+        result.variables.push_back(
+            {variable["name"].as<std::string>(), variable["components"].as<int>(), values_from(variable["values"])});
+    }
+    return result;
+}
+
+Bounds bounds_from(const val& bounds) {
+    const val entries = val::global("Object").call<val>("entries", bounds);
+    Bounds result;
+    for (std::size_t i = 0; i < entries["length"].as<std::size_t>(); ++i) {
+        const auto name = entries[i][0].as<std::string>();
+        result.push_back({name, bound_from(name, entries[i][1])});
+    }
+    return result;
+}
+
+Options options_from(const val& options) {
+    Options result;
+    if (const val errors = options["errors"]; !errors.isUndefined()) {
+        result.errors = errors_from(errors.as<std::string>());
+    }
+    if (const val cost = options["cost"]; !cost.isUndefined()) {
+        result.cost = cost_from(cost.as<std::string>());
+    }
+    if (const val locked = options["locked"]; !locked.isUndefined()) {
+        result.locked = vector_from<std::uint32_t>(locked);
+    }
+    return result;
+}
+
+} // namespace meshbound::js

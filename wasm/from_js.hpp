@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <emscripten/val.h>
+
+#include "meshbound/meshbound.hpp"
+
+namespace meshbound::js {
+
+/// A value from JavaScript that has not the shape that wasm/types.ts gives it.
+struct ShapeError {
+    Status status;
+};
+
+/// A `Mesh` of wasm/types.ts. Every array is copied once.
+Mesh mesh_from(const emscripten::val& mesh);
+
+/// The bounds of `ReduceOptions`. Throws ShapeError.
+Bounds bounds_from(const emscripten::val& bounds);
+
+/// The rest of `ReduceOptions`; what is left out keeps the core's default. Throws ShapeError.
+Options options_from(const emscripten::val& options);
+
+} // namespace meshbound::js

@@ -1,0 +1,33 @@
+import { copyMesh } from './copy-mesh.ts';
+import type { Inspection } from './inspection.ts';
+import { TaskQueue } from './task-queue.ts';
+import type { Mesh, ReduceOptions, Reduction } from './types.ts';
+
+export { type ErrorCode, MeshboundError } from './errors.ts';
+export type { Inspection, VariableExtent } from './inspection.ts';
+export type * from './types.ts';
+
+const queue = new TaskQueue();
+
+/**
+ * Reduces a mesh so that every bound holds at every point of its surface:
+ *
+ * > There is a continuous map from the original surface onto the reduced one that moves no point by more than the bound of
+ * > `position` and changes no variable by more than its bound.
+ *
+ * Runs in a worker; calls queue. The arrays of `mesh` are copied at the call and stay the caller's. Rejects with a
+ * MeshboundError that names the fault and its place, with a TypeError for arrays of another type than `Mesh` says, and with
+ * an AbortError once `options.signal` is aborted.
+ */
+export async function reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduction> {
+  const { signal, onProgress, locked, ...rest } = options;
+  const task = { kind: 'reduce', mesh: copyMesh(mesh), options: { ...rest, locked: locked?.slice() } } as const;
+  return (await queue.run(task, { signal, onProgress })) as Reduction;
+}
+
+/**
+ * Checks a mesh and tells what its variables span, without reducing it. Rejects as `reduce` does.
+ */
+export async function inspect(mesh: Mesh, { signal }: { signal?: AbortSignal } = {}): Promise<Inspection> {
+  return (await queue.run({ kind: 'inspect', mesh: copyMesh(mesh) }, { signal })) as Inspection;
+}

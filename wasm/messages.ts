@@ -1,0 +1,21 @@
+import type { Failure } from './errors.ts';
+import type { Inspection } from './inspection.ts';
+import type { Mesh, ReduceOptions, Reduction } from './types.ts';
+
+/** The options that cross to the worker; signal and progress stay with the caller. */
+export type CoreOptions = Omit<ReduceOptions, 'signal' | 'onProgress'>;
+
+/** What the worker is asked to do. The arrays of the mesh are transferred. */
+export type Task = { kind: 'reduce'; mesh: Mesh; options: CoreOptions } | { kind: 'inspect'; mesh: Mesh };
+
+/** What a task gives: a value, or a fault with its place. */
+export type Outcome<Value> = { ok: true; value: Value } | { ok: false; failure: Failure };
+
+/** To the worker: one task at a time. `cancel`, where memory can be shared, is raised to stop it. */
+export interface Request {
+  task: Task;
+  cancel?: Int32Array<SharedArrayBuffer>;
+}
+
+/** From the worker: any number of progress messages, then the outcome. */
+export type Answer = { progress: number } | { outcome: Outcome<Reduction | Inspection> };

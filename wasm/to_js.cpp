@@ -1,0 +1,139 @@
+#include "to_js.hpp"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace meshbound::js {
+
+using emscripten::typed_memory_view;
+using emscripten::val;
+
+namespace {
+
+/// A JavaScript object from names and values.
+template <class... Values>
+val object(std::pair<const char*, Values>... fields) {
+    val result = val::object();
+    (result.set(fields.first, fields.second), ...);
+    return result;
+}
+
+template <class T>
+std::pair<const char*, T> field(const char* name, T value) {
+    return {name, std::move(value)};
+}
+
+/// JavaScript has one type of number; counts stay exact in it up to 2^53.
+double number(std::size_t count) { return static_cast<double>(count); }
+
+template <class T>
+val array_to(const T* values, std::size_t count) {
+    return val(typed_memory_view(count, values)).template call<val>("slice");
+}
+
+template <class T>
+val array_to(const std::vector<T>& values) {
+    return array_to(values.data(), values.size());
+}
+
+/// A JavaScript array of what `convert` makes of each element.
+template <class Range, class Convert>
+val list_to(const Range& range, Convert convert) {
+    val list = val::array();
+    for (const auto& element : range) {
+        list.call<void>("push", convert(element));
+    }
+    return list;
+}
+
+val values_to(const Values& values) {
+    return std::visit([](const auto& numbers) { return array_to(numbers); }, values);
+}
+
+val variable_to(const Variable& variable) {
+    return object(field("name", variable.name), field("components", variable.components),
+                  field("values", values_to(variable.values)));
+}
+
+val mesh_to(const Mesh& mesh) {
+    const auto* indices = mesh.triangles.empty() ? nullptr : &mesh.triangles.front().x;
+    return object(field("position", values_to(mesh.position.values)),
+                  field("triangles", array_to(indices, mesh.triangles.size() * 3)),
+                  field("variables", list_to(mesh.variables, variable_to)));
+}
+
+val triangle_errors_to(const TriangleErrors& errors) {
+    return object(field("largest", array_to(errors.largest)), field("lowest", array_to(errors.lowest)),
+                  field("highest", array_to(errors.highest)));
+}
+
+val variable_report_to(const VariableReport& report) {
+    return object(field("name", report.name), field("components", report.components),
+                  field("extent", report.bound.extent), field("magnitude", report.bound.magnitude),
+                  field("constant", report.bound.constant), field("bound", report.bound.absolute),
+                  field("error", report.error), field("ratio", report.ratio), field("refused", number(report.refused)));
+}
+
+val before_after(std::size_t before, std::size_t after) {
+    return object(field("before", number(before)), field("after", number(after)));
+}
+
+val oddities_to(const Oddities& oddities) {
+    return object(field("repeatedVertexTriangles", number(oddities.repeated_vertex_triangles)),
+                  field("zeroAreaTriangles", number(oddities.zero_area_triangles)),
+                  field("unusedVertices", number(oddities.unused_vertices)));
+}
+
+val refusals_to(const Refusals& refused) {
+    return object(field("fixed", number(refused.fixed)), field("topology", number(refused.topology)),
+                  field("fold", number(refused.fold)));
+}
+
+std::string stopped_name(Stopped stopped) { return stopped == Stopped::cancelled ? "cancelled" : "finished"; }
+
+val report_to(const Report& report, double seconds) {
+    return object(field("triangles", before_after(report.triangles_before, report.triangles_after)),
+                  field("vertices", before_after(report.vertices_before, report.vertices_after)),
+                  field("variables", list_to(report.variables, variable_report_to)),
+                  field("refused", refusals_to(report.refused)), field("oddities", oddities_to(report.oddities)),
+                  field("nonManifoldVertices", number(report.non_manifold_vertices)),
+                  field("stopped", stopped_name(report.stopped)), field("seconds", seconds));
+}
+
+val extent_to(const Variable& variable, const ResolvedBound& bound) {
+    return object(field("name", variable.name), field("components", variable.components), field("extent", bound.extent),
+                  field("magnitude", bound.magnitude), field("constant", bound.constant));
+}
+
+} // namespace
+
+val reduction_to(const Reduction& reduction, double seconds) {
+    return object(field("mesh", mesh_to(reduction.mesh)), field("vertices", array_to(reduction.vertices)),
+                  field("triangleErrors", list_to(reduction.triangle_errors, triangle_errors_to)),
+                  field("report", report_to(reduction.report, seconds)));
+}
+
+val inspection_to(const Mesh& mesh, const Oddities& oddities, const std::vector<ResolvedBound>& bounds) {
+    val variables = val::array();
+    variables.call<void>("push", extent_to(mesh.position, bounds[0]));
+    for (std::size_t i = 0; i < mesh.variables.size(); ++i) {
+        variables.call<void>("push", extent_to(mesh.variables[i], bounds[i + 1]));
+    }
+    return object(field("triangles", number(mesh.triangles.size())), field("vertices", number(vertex_count(mesh))),
+                  field("variables", variables), field("oddities", oddities_to(oddities)));
+}
+
+val failure_to(const Status& status) {
+    val failure = object(field("code", std::string(fault_name(status.fault))), field("message", status.message));
+    if (!status.variable.empty()) {
+        failure.set("variable", status.variable);
+    }
+    if (status.index) {
+        failure.set("index", number(*status.index));
+    }
+    return failure;
+}
+
+} // namespace meshbound::js

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <emscripten/val.h>
+
+#include "meshbound/meshbound.hpp"
+
+namespace meshbound::js {
+
+/// A `Reduction` of wasm/types.ts. Every array is copied once, into memory of JavaScript's own.
+emscripten::val reduction_to(const Reduction& reduction, double seconds);
+
+/// An `Inspection` of wasm/inspection.ts. `bounds` has position first, then the mesh's variables.
+emscripten::val inspection_to(const Mesh& mesh, const Oddities& oddities, const std::vector<ResolvedBound>& bounds);
+
+/// A `Failure` of wasm/messages.ts.
+emscripten::val failure_to(const Status& status);
+
+} // namespace meshbound::js

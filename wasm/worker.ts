@@ -1,0 +1,35 @@
+import type { Core } from '../build/wasm/meshbound.mjs';
+import { isRaised } from './cancel-flag.ts';
+import { loadCore } from './load-core.ts';
+import type { Answer, Outcome, Request } from './messages.ts';
+import { transferables } from './transferables.ts';
+import { type ParentPort, parentPort } from './worker-port.ts';
+
+function perform(core: Core, { task, cancel }: Request, port: ParentPort): Answer {
+  if (task.kind === 'inspect') {
+    return { outcome: core.inspect(task.mesh) };
+  }
+  const goOn = (progress: number): boolean => {
+    port.post({ progress });
+    return !isRaised(cancel);
+  };
+  return { outcome: core.reduce(task.mesh, task.options, goOn) };
+}
+
+/** A trap or an exception of JavaScript: never the caller's fault. */
+function unexpected(error: unknown): Outcome<never> {
+  return { ok: false, failure: { code: 'internal', message: String(error) } };
+}
+
+const port = parentPort();
+const core = loadCore();
+
+port.onRequest(async (request) => {
+  let answer: Answer;
+  try {
+    answer = perform(await core, request, port);
+  } catch (error) {
+    answer = { outcome: unexpected(error) };
+  }
+  port.post(answer, transferables(answer));
+});
