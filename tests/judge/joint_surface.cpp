@@ -10,7 +10,7 @@ namespace judge {
 namespace {
 
 const meshbound::Variable& numbered(const meshbound::Mesh& mesh, std::size_t variable) {
-    return variable == 0 ? mesh.position : mesh.variables.at(variable - 1);
+    return variable == 0 ? mesh.position : mesh.variables[variable - 1];
 }
 
 bool has_vertex_twice(const glm::uvec3& t) { return t.x == t.y || t.y == t.z || t.z == t.x; }
@@ -18,6 +18,8 @@ bool has_vertex_twice(const glm::uvec3& t) { return t.x == t.y || t.y == t.z || 
 std::vector<double> joint_rows(const meshbound::Mesh& mesh, const JointSpace& space) {
     const std::size_t vertices = meshbound::vertex_count(mesh);
     const std::size_t dimensions = space.origin.size();
+    if (!space.variables.empty() && mesh.variables.size() < space.variables.back())
+        throw std::invalid_argument("one of the two surfaces lacks a variable");
     std::vector<double> rows(vertices * dimensions);
     std::size_t column = 0;
     for (std::size_t i = 0; i < space.variables.size(); ++i) {

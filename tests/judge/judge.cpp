@@ -10,6 +10,9 @@
 namespace judge {
 namespace {
 
+/// A ratio below this is no deviation; so surfaces that coincide are not searched for the rounding between them.
+constexpr double negligible = 1e-6;
+
 class Search {
 public:
     Search(const JointSurface& from_, const JointSurface& to, const JointSpace& space_)
@@ -26,9 +29,10 @@ private:
     void look_at(const Sample& sample) {
         ++worst.samples;
         place(from, sample.triangle, sample.barycentric, point);
-        const Foot foot = tree.nearest(point.data(), worst.ratio, last);
+        const double enough = std::max(worst.ratio, negligible);
+        const Foot foot = tree.nearest(point.data(), enough, last);
         last = foot.triangle;
-        if (foot.nearest.distance <= worst.ratio) return;
+        if (foot.nearest.distance <= enough) return;
         worst.ratio = foot.nearest.distance;
         worst.triangle = sample.triangle;
         worst.barycentric = sample.barycentric;
@@ -59,6 +63,7 @@ private:
 
 Deviation farthest(const meshbound::Mesh& mesh, const JointSurface& from, const JointSurface& to,
                    const JointSpace& space, std::size_t samples) {
+    if (space.dimensions() == 0) return {}; // everything is free
     Deviation deviation = Search(from, to, space).farthest(samples);
     const auto& triangle = from.triangles[deviation.triangle];
     for (int c = 0; c < 3; ++c)

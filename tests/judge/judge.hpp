@@ -11,7 +11,7 @@ namespace judge {
 
 /// The farthest that a sample of one surface lies from the other.
 struct Deviation {
-    double ratio = 0;                     ///< distance in bounds: 1 is the limit
+    double ratio = 0;                     ///< distance in bounds: 1 is the limit; 0 stands for anything below 1e-6
     std::size_t triangle = 0;             ///< of the sampled surface, counting those with three distinct vertices
     std::array<double, 3> barycentric{};  ///< where in it
     std::array<double, 3> position{};     ///< the same place in space
