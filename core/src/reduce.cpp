@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <new>
 
 #include "propagation.hpp"
@@ -10,6 +11,7 @@
 #include "surface.hpp"
 #include "sweep.hpp"
 #include "ticker.hpp"
+#include "tracking.hpp"
 
 namespace meshbound {
 namespace {
@@ -107,6 +109,11 @@ Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, 
     return report;
 }
 
+std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& rows, const Surface& surface) {
+    if (options.errors == Errors::tracked) return std::make_unique<Tracking>(rows, surface, options);
+    return std::make_unique<Propagation>(rows, surface.slot_count(), options.cost);
+}
+
 Reduction run(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Options& options, const Oddities& oddities,
               const Progress& progress) {
     Reduction reduction;
@@ -117,15 +124,15 @@ Reduction run(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const 
     Surface surface(mesh.triangles, vertex_count(mesh));
     report.non_manifold_vertices = surface.count(VertexKind::fixed);
     const std::vector<char> candidate = find_candidates(surface, options.locked);
-    Propagation accounting(rows, surface.slot_count(), options.cost);
-    Sweeper sweeper(surface, rows, accounting, candidate);
+    const std::unique_ptr<Accounting> accounting = make_accounting(options, rows, surface);
+    Sweeper sweeper(surface, rows, *accounting, candidate);
 
     std::vector<double> limits = options.sweeps;
     for (double& limit : limits) limit *= rows.limit();
     if (!sweeper.sweep(limits, ticker)) report.stopped = Stopped::cancelled;
 
     extract_mesh(mesh, surface, reduction);
-    extract_errors(surface, rows, accounting, reduction);
+    extract_errors(surface, rows, *accounting, reduction);
     count_refusals(surface, sweeper, candidate, report);
     report.triangles_after = reduction.mesh.triangles.size();
     report.vertices_after = reduction.vertices.size();

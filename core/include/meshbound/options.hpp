@@ -26,6 +26,11 @@ struct Options {
     /// one 1. Early, tighter sweeps take the harmless vertices first.
     std::vector<double> sweeps = {0.25, 1.0};
 
+    /// Tracked errors only: where the map is free, choose places of vertices and of crossings with smaller errors (the
+    /// layout's places else). Fewer triangles; some folds in the map, none in the surface.
+    bool choose_places = true;
+    bool choose_crossings = true;
+
     /// Vertices (indices into the input) that must stay.
     std::vector<std::uint32_t> locked;
 };

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "surface.hpp"
+
+namespace meshbound {
+
+/// The edges of the original surface, named as its Surface names them at the start. Each runs from its lower vertex (s = 0)
+/// to its upper one (s = 1). Only edges between two triangles can cross anything later; boundary and non-manifold edges
+/// run along current edges for ever and are not listed at their vertices.
+class OriginalEdges {
+public:
+    explicit OriginalEdges(const Surface& surface);
+
+    std::uint32_t lower(std::uint32_t edge) const { return ends_[2 * std::size_t(edge)]; }
+    std::uint32_t upper(std::uint32_t edge) const { return ends_[2 * std::size_t(edge) + 1]; }
+    std::size_t size() const { return ends_.size() / 2; }
+
+    /// The edges between two triangles that end at a vertex.
+    std::span<const std::uint32_t> at(std::uint32_t vertex) const {
+        return {edges_.data() + start_[vertex], edges_.data() + start_[vertex + std::size_t{1}]};
+    }
+
+private:
+    std::vector<std::uint32_t> ends_;
+    std::vector<std::uint32_t> start_, edges_; // by vertex: edges_[start_[v]] … edges_[start_[v + 1] - 1]
+};
+
+} // namespace meshbound
