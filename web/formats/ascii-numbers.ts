@@ -1,0 +1,93 @@
+import { FormatError } from './format-error.ts';
+import { grouped, quoted } from './wording.ts';
+
+const plainNumber = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
+const longestToken = 512;
+/** Integers below 10^15 and powers of ten up to 10^22 are exact doubles, so their quotient is rounded once, correctly. */
+const exactDigits = 15;
+const powersOfTen = Array.from({ length: exactDigits + 1 }, (_, exponent) => Number(`1e${exponent}`));
+
+/** How C, C++ and Fortran programs on the usual systems print what is not a finite number. */
+const notFinite = /^([+-]?)(nan(\(\w*\))?|inf(inity)?|1\.#(qnan|snan|ind|inf)\d*)$/i;
+
+/** A number as text files write it, NaN and infinity in every usual spelling; undefined for anything else. */
+export function parseNumber(token: string): number | undefined {
+  if (plainNumber.test(token)) return Number(token);
+  const match = notFinite.exec(token);
+  if (!match) return undefined;
+  if (!/inf/i.test(token)) return Number.NaN;
+  return match[1] === '-' ? -Infinity : Infinity;
+}
+
+function isSpace(byte: number): boolean {
+  return byte === 32 || (byte >= 9 && byte <= 13);
+}
+
+/**
+ * The numbers of a text, straight from its bytes: a large file never becomes one large string or millions of small ones.
+ * `place` says where the reading is, for messages.
+ */
+export class AsciiNumbers {
+  private readonly bytes: Uint8Array;
+  private at: number;
+  private readonly place: () => string;
+
+  constructor(bytes: Uint8Array, at: number, place: () => string) {
+    this.bytes = bytes;
+    this.at = at;
+    this.place = place;
+  }
+
+  /** Bytes not read yet. */
+  get left(): number {
+    return this.bytes.length - this.at;
+  }
+
+  /** True when nothing but white space is left. */
+  atEnd(): boolean {
+    const { bytes } = this;
+    while (this.at < bytes.length && isSpace(bytes[this.at])) this.at++;
+    return this.at === bytes.length;
+  }
+
+  next(): number {
+    if (this.atEnd()) throw new FormatError('truncated', `The file ends in ${this.place()}.`, this.place());
+    return this.shortDecimal() ?? this.anyNumber();
+  }
+
+  /** Digits with at most one point among them, few enough to be exact; undefined (and nothing read) for other tokens. */
+  private shortDecimal(): number | undefined {
+    const { bytes } = this;
+    let at = this.at;
+    const negative = bytes[at] === 45;
+    if (negative) at++;
+    let [mantissa, digits, decimals, point] = [0, 0, 0, 0];
+    for (; at < bytes.length; at++) {
+      const byte = bytes[at];
+      if (byte >= 48 && byte <= 57) {
+        mantissa = mantissa * 10 + (byte - 48);
+        digits++;
+        decimals += point;
+      } else if (byte === 46 && point === 0) {
+        point = 1;
+      } else break;
+    }
+    const whole = at === bytes.length || isSpace(bytes[at]);
+    if (!whole || digits === 0 || digits > exactDigits) return undefined;
+    this.at = at;
+    const size = mantissa / powersOfTen[decimals];
+    return negative ? -size : size;
+  }
+
+  private anyNumber(): number {
+    const start = this.at;
+    let token = '';
+    while (this.at < this.bytes.length && !isSpace(this.bytes[this.at]) && token.length < longestToken) {
+      token += String.fromCharCode(this.bytes[this.at++]);
+    }
+    const value = parseNumber(token);
+    if (value !== undefined) return value;
+    const message = `${quoted(token)} in ${this.place()} is not a number (byte ${grouped(start)}).`;
+    throw new FormatError('bad_number', message, this.place());
+  }
+}

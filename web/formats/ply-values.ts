@@ -1,0 +1,136 @@
+import { AsciiNumbers } from './ascii-numbers.ts';
+import { FormatError } from './format-error.ts';
+import { type PlyElement, type PlyHeader, type PlyProperty, type PlyType, plyTypeSizes } from './ply-header.ts';
+import { counted, grouped, quoted } from './wording.ts';
+
+/** The fewest bytes a number takes in ASCII: a digit and a space. */
+const asciiNumberSize = 2;
+
+/** The numbers after a PLY header, one after the other, whatever the encoding. Every reading stays inside the file. */
+export abstract class PlyValues {
+  private element = '';
+  private row = 0;
+
+  /** Bytes not read yet. */
+  abstract readonly left: number;
+  abstract next(type: PlyType): number;
+  protected abstract leastSize(type: PlyType): number;
+
+  /** Where the reading is: "vertex 7". */
+  readonly place = (): string => `${this.element} ${this.row}`;
+
+  /** Begins an element; throws if so many rows cannot be in what is left of the file. */
+  begin(element: PlyElement): void {
+    this.element = element.name;
+    this.row = 0;
+    const rowSize = element.properties.reduce((sum, property) => sum + this.leastPropertySize(property), 0);
+    const needed = element.count * rowSize;
+    // The last number of an ASCII file needs no space after it.
+    if (needed <= this.left + 1) return;
+    const message =
+      `The header declares ${counted(element.count, `row`)} of ${quoted(element.name)}, at least ` +
+      `${grouped(needed)} bytes, but the file has only ${grouped(this.left)} bytes left.`;
+    throw new FormatError('truncated', message, `element ${quoted(element.name)}`);
+  }
+
+  startRow(row: number): void {
+    this.row = row;
+  }
+
+  /** The length of a list, checked against the file; its items are to be read next. */
+  nextLength(property: PlyProperty): number {
+    const length = this.next(property.listLength!);
+    if (!Number.isInteger(length) || length < 0) {
+      const message = `The list ${quoted(property.name)} of ${this.place()} has ${length} items.`;
+      throw new FormatError('bad_polygon', message, this.place());
+    }
+    if (length * this.leastSize(property.type) > this.left + 1) {
+      const message =
+        `The list ${quoted(property.name)} of ${this.place()} should have ${counted(length, 'item')}, ` +
+        `but the file has only ${counted(this.left, 'byte')} left.`;
+      throw new FormatError('truncated', message, this.place());
+    }
+    return length;
+  }
+
+  skip(property: PlyProperty): void {
+    const length = property.listLength ? this.nextLength(property) : 1;
+    for (let i = 0; i < length; i++) this.next(property.type);
+  }
+
+  private leastPropertySize(property: PlyProperty): number {
+    return this.leastSize(property.listLength ?? property.type);
+  }
+}
+
+export function plyValues(bytes: Uint8Array, header: PlyHeader): PlyValues {
+  if (header.encoding === 'ascii') return new AsciiValues(bytes, header.end);
+  return new BinaryValues(bytes, header.end, header.encoding === 'binary_little_endian');
+}
+
+class AsciiValues extends PlyValues {
+  private readonly numbers: AsciiNumbers;
+
+  constructor(bytes: Uint8Array, start: number) {
+    super();
+    this.numbers = new AsciiNumbers(bytes, start, this.place);
+  }
+
+  get left(): number {
+    return this.numbers.atEnd() ? 0 : this.numbers.left;
+  }
+
+  next(_type: PlyType): number {
+    return this.numbers.next();
+  }
+
+  protected leastSize(_type: PlyType): number {
+    return asciiNumberSize;
+  }
+}
+
+class BinaryValues extends PlyValues {
+  private readonly view: DataView;
+  private readonly littleEndian: boolean;
+  private at: number;
+
+  constructor(bytes: Uint8Array, start: number, littleEndian: boolean) {
+    super();
+    this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    this.at = start;
+    this.littleEndian = littleEndian;
+  }
+
+  get left(): number {
+    return this.view.byteLength - this.at;
+  }
+
+  next(type: PlyType): number {
+    const { view, at, littleEndian } = this;
+    this.at += plyTypeSizes[type];
+    if (this.at > view.byteLength)
+      throw new FormatError('truncated', `The file ends in ${this.place()}.`, this.place());
+    switch (type) {
+      case 'int8':
+        return view.getInt8(at);
+      case 'uint8':
+        return view.getUint8(at);
+      case 'int16':
+        return view.getInt16(at, littleEndian);
+      case 'uint16':
+        return view.getUint16(at, littleEndian);
+      case 'int32':
+        return view.getInt32(at, littleEndian);
+      case 'uint32':
+        return view.getUint32(at, littleEndian);
+      case 'float32':
+        return view.getFloat32(at, littleEndian);
+      case 'float64':
+        return view.getFloat64(at, littleEndian);
+    }
+  }
+
+  protected leastSize(type: PlyType): number {
+    return plyTypeSizes[type];
+  }
+}

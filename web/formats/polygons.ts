@@ -1,0 +1,160 @@
+import earcut from 'earcut';
+import { FormatError } from './format-error.ts';
+import { counted, grouped } from './wording.ts';
+
+/** Polygons of any number of corners: polygon i has the corners from `ends[i - 1]` up to `ends[i]`. */
+export interface Polygons {
+  corners: Uint32Array;
+  ends: Uint32Array;
+}
+
+type Position = Float32Array | Float64Array;
+type Vector = [number, number, number];
+
+/** Ear clipping is quadratic on hostile outlines; an honest face of a mesh has not nearly so many corners. */
+const mostConcaveCorners = 10_000;
+
+/**
+ * Triangles in place of polygons, in their order and orientation; `split` counts the polygons that had more than three
+ * corners. `noun` names a polygon in messages ("face"). Throws on fewer than three corners and on points that do not exist.
+ */
+export function triangulate(polygons: Polygons, position: Position, noun: string) {
+  const { corners, ends } = polygons;
+  checkCorners(corners, ends, position.length / 3, noun);
+  let total = 0;
+  let split = 0;
+  forEachPolygon(ends, (start, end, index) => {
+    if (end - start < 3) throw fewCorners(end - start, index, noun);
+    total += end - start - 2;
+    if (end - start > 3) split++;
+  });
+  if (split === 0) return { triangles: corners, split };
+  const triangles = new Uint32Array(3 * total);
+  let at = 0;
+  forEachPolygon(ends, (start, end, index) => {
+    const polygon = corners.subarray(start, end);
+    triangles.set(polygon.length === 3 ? polygon : splitPolygon(polygon, position, `${noun} ${index}`), at);
+    at += 3 * (polygon.length - 2);
+  });
+  return { triangles, split };
+}
+
+/** Triangles in place of triangle strips; every other triangle of a strip is turned, so that all face the same way. */
+export function trianglesOfStrips(strips: Polygons, position: Position, noun: string): Uint32Array {
+  const { corners, ends } = strips;
+  checkCorners(corners, ends, position.length / 3, noun);
+  const triangles = new Uint32Array(3 * corners.length);
+  let at = 0;
+  forEachPolygon(ends, (start, end, index) => {
+    if (end - start < 3) throw fewCorners(end - start, index, noun);
+    for (let i = start; i + 2 < end; i++) {
+      const turned = (i - start) % 2;
+      triangles[at++] = corners[i];
+      triangles[at++] = corners[i + 1 + turned];
+      triangles[at++] = corners[i + 2 - turned];
+    }
+  });
+  return triangles.slice(0, at);
+}
+
+function forEachPolygon(ends: Uint32Array, visit: (start: number, end: number, index: number) => void): void {
+  let start = 0;
+  for (let index = 0; index < ends.length; index++) {
+    visit(start, ends[index], index);
+    start = ends[index];
+  }
+}
+
+function fewCorners(corners: number, index: number, noun: string): FormatError {
+  const where = `${noun} ${index}`;
+  return new FormatError('bad_polygon', `The ${where} has ${counted(corners, 'corner')}; it needs three.`, where);
+}
+
+function checkCorners(corners: Uint32Array, ends: Uint32Array, points: number, noun: string): void {
+  const wrong = corners.findIndex((corner) => corner >= points);
+  if (wrong < 0) return;
+  const where = `${noun} ${ends.findIndex((end) => end > wrong)}`;
+  throw badIndex(corners[wrong], where, points);
+}
+
+/** The error for a face that names a point that does not exist. */
+function badIndex(corner: number, where: string, points: number): FormatError {
+  const there = `the file has ${counted(points, 'point')}${points > 0 ? ` (0 to ${grouped(points - 1)})` : ''}`;
+  return new FormatError('bad_index', `The ${where} names point ${corner}, but ${there}.`, where);
+}
+
+function splitPolygon(polygon: Uint32Array, position: Position, where: string): Uint32Array {
+  const normal = newellNormal(polygon, position);
+  if (fanIsFaithful(polygon, position, normal)) return fan(polygon);
+  if (polygon.length > mostConcaveCorners) {
+    const message = `The concave ${where} has ${counted(polygon.length, 'corner')}; no more than ${mostConcaveCorners} can be split.`;
+    throw new FormatError('bad_polygon', message, where);
+  }
+  return clipEars(polygon, position, normal) ?? fan(polygon);
+}
+
+function fan(polygon: Uint32Array): Uint32Array {
+  const triangles = new Uint32Array(3 * (polygon.length - 2));
+  for (let i = 0; i + 2 < polygon.length; i++) triangles.set([polygon[0], polygon[i + 1], polygon[i + 2]], 3 * i);
+  return triangles;
+}
+
+/** The normal of a polygon that need be neither convex nor quite plane; its length is twice the area. */
+function newellNormal(polygon: Uint32Array, position: Position): Vector {
+  const normal: Vector = [0, 0, 0];
+  const origin = 3 * polygon[0];
+  for (let i = 1; i + 1 < polygon.length; i++) {
+    const part = cross(position, origin, 3 * polygon[i], 3 * polygon[i + 1]);
+    for (let axis = 0; axis < 3; axis++) normal[axis] += part[axis];
+  }
+  return normal;
+}
+
+/** (b − a) × (c − a), where a, b and c are places in `position`. */
+function cross(position: Position, a: number, b: number, c: number): Vector {
+  const [ax, ay, az] = [position[a], position[a + 1], position[a + 2]];
+  const [ux, uy, uz] = [position[b] - ax, position[b + 1] - ay, position[b + 2] - az];
+  const [vx, vy, vz] = [position[c] - ax, position[c + 1] - ay, position[c + 2] - az];
+  return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+}
+
+/** Whether every triangle of the fan faces the polygon's way. Without a finite normal no other split is better. */
+function fanIsFaithful(polygon: Uint32Array, position: Position, normal: Vector): boolean {
+  if (!normal.every(Number.isFinite) || normal.every((part) => part === 0)) return true;
+  const origin = 3 * polygon[0];
+  for (let i = 1; i + 1 < polygon.length; i++) {
+    const part = cross(position, origin, 3 * polygon[i], 3 * polygon[i + 1]);
+    if (!(part[0] * normal[0] + part[1] * normal[1] + part[2] * normal[2] > 0)) return false;
+  }
+  return true;
+}
+
+/** Ear clipping in the plane that shows the polygon largest; undefined where the outline is too degenerate for it. */
+function clipEars(polygon: Uint32Array, position: Position, normal: Vector): Uint32Array | undefined {
+  const sizes = normal.map(Math.abs);
+  const dropped = sizes.indexOf(Math.max(...sizes));
+  const axes = [(dropped + 1) % 3, (dropped + 2) % 3];
+  const flat = Array.from(polygon).flatMap((corner) => axes.map((axis) => position[3 * corner + axis]));
+  const ears = earcut(flat);
+  if (ears.length !== 3 * (polygon.length - 2)) return undefined;
+  const turned = flatArea(flat, ears) > 0 !== normal[dropped] > 0;
+  const triangles = Uint32Array.from(ears, (corner) => polygon[corner]);
+  if (turned) triangles.reverse();
+  return triangles;
+}
+
+function flatArea(flat: number[], ears: number[]): number {
+  let area = 0;
+  for (let i = 0; i < ears.length; i += 3) {
+    const [ax, ay, bx, by, cx, cy] = [0, 1, 2].flatMap((j) => [flat[2 * ears[i + j]], flat[2 * ears[i + j] + 1]]) as [
+      number,
+      number,
+      number,
+      number,
+      number,
+      number,
+    ];
+    area += (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+  }
+  return area;
+}

@@ -1,0 +1,232 @@
+import type { Variable } from '../../wasm/types.ts';
+import { FormatError } from './format-error.ts';
+import { isFloatType, type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './ply-header.ts';
+import { type PlyValues, plyValues } from './ply-values.ts';
+import { declaredComponentNames, declaredUnits, groupProperties, type PlyVariable } from './ply-variables.ts';
+import { type Polygons, triangulate, trianglesOfStrips } from './polygons.ts';
+import { asFloatingPoint } from './precision.ts';
+import { noLabels, type Surface } from './surface.ts';
+import { counted, listed, quoted } from './wording.ts';
+
+// Written by hand although three.js has a PLYLoader. That one converts colours between colour spaces, rounding them; has
+// no way to tell a truncated ASCII file from a whole one; drops faces of more than four corners; takes ∞ for NaN and any
+// index for a good one; and builds an object for every vertex, which a declared count can drive beyond memory.
+
+const coordinates = ['x', 'y', 'z'];
+const cornerLists = ['vertex_indices', 'vertex_index'];
+
+interface Vertices {
+  position: Float32Array | Float64Array;
+  variables: Variable[];
+  notes: string[];
+}
+
+/**
+ * Reads a PLY file, ASCII or binary of either byte order. Every vertex property of a plain type becomes a variable or a
+ * component of one (see groupProperties), in single precision where that holds every value exactly, else in double.
+ * Units come from comments `unit NAME UNIT`.
+ */
+export function readPly(bytes: Uint8Array): Surface {
+  const header = readPlyHeader(bytes);
+  const values = plyValues(bytes, header);
+  const notes: string[] = [];
+  const parts: { vertices?: Vertices; faces?: Polygons; strips?: Polygons } = {};
+  for (const element of header.elements) {
+    values.begin(element);
+    if (element.name === 'vertex') parts.vertices = readVertices(element, header.comments, values);
+    else if (element.name === 'face') parts.faces = readFaces(element, values, notes);
+    else if (element.name === 'tristrips') parts.strips = readStrips(element, values);
+    else skipElement(element, values, notes);
+  }
+  const { position, variables, notes: vertexNotes } = parts.vertices ?? noPoints();
+  const triangles = joinTriangles(parts, position, notes);
+  notes.push(...vertexNotes, ...endNotes(bytes, header, values));
+  return { mesh: { position, triangles, variables }, notes, ...labels(header.comments, variables) };
+}
+
+function noPoints(): never {
+  throw new FormatError('no_points', 'The file declares no element “vertex”, so it has no points.');
+}
+
+/** Where the components of a vertex go: column by column of the file, interleaved into its variable. */
+interface Column {
+  values: Float32Array | Float64Array;
+  step: number;
+  offset: number;
+}
+
+function readVertices(element: PlyElement, comments: string[], values: PlyValues): Vertices {
+  const plain = element.properties.filter((property) => !property.listLength);
+  const byName = new Map(plain.map((property) => [property.name, property]));
+  if (!coordinates.every((name) => byName.has(name))) {
+    throw new FormatError(
+      'no_points',
+      'The element “vertex” lacks one of the properties x, y and z.',
+      'element “vertex”',
+    );
+  }
+  const rest = plain.map((property) => property.name).filter((name) => !coordinates.includes(name));
+  const groups = [{ name: 'position', properties: coordinates }, ...groupProperties(rest, comments)];
+  const columns = new Map<string, Column>();
+  const read = groups.map((group) => allocate(group, byName, element.count, columns));
+  readColumns(element, columns, values);
+  const [position, ...variables] = read.map(({ variable, integers }) =>
+    integers ? { ...variable, values: asFloatingPoint(variable.values as Float64Array) } : variable,
+  );
+  return { position: position!.values, variables, notes: vertexNotes(element, byName, groups) };
+}
+
+/** Room for one variable: single precision if the file has it in single precision, else double until all values are known. */
+function allocate(group: PlyVariable, byName: Map<string, PlyProperty>, count: number, columns: Map<string, Column>) {
+  const types = group.properties.map((name) => byName.get(name)!.type);
+  const components = types.length;
+  const single = types.every((type) => type === 'float32');
+  const values = single ? new Float32Array(count * components) : new Float64Array(count * components);
+  for (const [offset, name] of group.properties.entries()) columns.set(name, { values, step: components, offset });
+  return { variable: { name: group.name, components, values }, integers: !types.some(isFloatType) };
+}
+
+function readColumns(element: PlyElement, columns: Map<string, Column>, values: PlyValues): void {
+  const plan = element.properties.map((property) => ({ property, column: columns.get(property.name) }));
+  for (let row = 0; row < element.count; row++) {
+    values.startRow(row);
+    for (const { property, column } of plan) {
+      if (column) column.values[row * column.step + column.offset] = values.next(property.type);
+      else values.skip(property);
+    }
+  }
+}
+
+function vertexNotes(element: PlyElement, byName: Map<string, PlyProperty>, groups: PlyVariable[]): string[] {
+  const notes: string[] = [];
+  const lists = element.properties.filter((property) => property.listLength).map((property) => property.name);
+  if (lists.length > 0) notes.push(`Not carried: the vertex lists ${listed(lists)}.`);
+  const integers = groups.filter((group) => !group.properties.some((name) => isFloatType(byName.get(name)!.type)));
+  if (integers.length > 0)
+    notes.push(
+      `Whole numbers in the file, floating point from here on: ${listed(integers.map((group) => group.name))}.`,
+    );
+  return notes;
+}
+
+function readFaces(element: PlyElement, values: PlyValues, notes: string[]): Polygons | undefined {
+  const dropped = element.properties.map((property) => property.name).filter((name) => !cornerLists.includes(name));
+  if (dropped.length > 0) notes.push(`Not carried: the face properties ${listed(dropped)}.`);
+  return readCorners(element, values);
+}
+
+/** The corners of all faces; -1 ends a strip, and ends a polygon only in error. */
+function readCorners(element: PlyElement, values: PlyValues, endMark?: number): Polygons | undefined {
+  const list = element.properties.find((property) => property.listLength && cornerLists.includes(property.name));
+  if (!list) return undefined;
+  const collected = new Collected();
+  for (let row = 0; row < element.count; row++) {
+    values.startRow(row);
+    for (const property of element.properties) {
+      if (property === list) readList(property, values, collected, endMark);
+      else values.skip(property);
+    }
+  }
+  return collected.polygons();
+}
+
+function readList(property: PlyProperty, values: PlyValues, collected: Collected, endMark?: number): void {
+  const length = values.nextLength(property);
+  for (let i = 0; i < length; i++) {
+    const corner = values.next(property.type);
+    if (corner === endMark) collected.endPolygon();
+    else if (Number.isInteger(corner) && corner >= 0 && corner < 2 ** 32) collected.addCorner(corner);
+    else throw new FormatError('bad_index', `The ${values.place()} names point ${corner}.`, values.place());
+  }
+  collected.endPolygon();
+}
+
+/** Polygons while they are read, when their corners cannot be counted yet. */
+class Collected {
+  private corners = new Uint32Array(1024);
+  private ends = new Uint32Array(1024);
+  private cornerCount = 0;
+  private endCount = 0;
+
+  addCorner(corner: number): void {
+    if (this.cornerCount === this.corners.length) this.corners = grown(this.corners);
+    this.corners[this.cornerCount++] = corner;
+  }
+
+  endPolygon(): void {
+    if (this.endCount === this.ends.length) this.ends = grown(this.ends);
+    this.ends[this.endCount++] = this.cornerCount;
+  }
+
+  polygons(): Polygons {
+    return { corners: this.corners.slice(0, this.cornerCount), ends: this.ends.slice(0, this.endCount) };
+  }
+}
+
+function grown(full: Uint32Array): Uint32Array<ArrayBuffer> {
+  const larger = new Uint32Array(2 * full.length);
+  larger.set(full);
+  return larger;
+}
+
+function readStrips(element: PlyElement, values: PlyValues): Polygons | undefined {
+  const strips = readCorners(element, values, -1);
+  if (!strips) return undefined;
+  // A strip that ends with its end mark, as most do, is followed by an empty one.
+  const ends = strips.ends.filter((end, index) => end > (index > 0 ? strips.ends[index - 1] : 0));
+  return { corners: strips.corners, ends };
+}
+
+function skipElement(element: PlyElement, values: PlyValues, notes: string[]): void {
+  if (element.count > 0)
+    notes.push(`Not carried: the element ${quoted(element.name)} (${counted(element.count, 'row')}).`);
+  if (element.properties.length === 0) return;
+  for (let row = 0; row < element.count; row++) {
+    values.startRow(row);
+    for (const property of element.properties) values.skip(property);
+  }
+}
+
+function joinTriangles(
+  parts: { faces?: Polygons; strips?: Polygons },
+  position: Float32Array | Float64Array,
+  notes: string[],
+): Uint32Array {
+  const none = new Uint32Array();
+  const { triangles: ofFaces, split } = parts.faces
+    ? triangulate(parts.faces, position, 'face')
+    : { triangles: none, split: 0 };
+  const ofStrips = parts.strips ? trianglesOfStrips(parts.strips, position, 'strip') : none;
+  if (split > 0) notes.push(`${counted(split, 'face')} with more than three corners split into triangles.`);
+  if (ofStrips.length > 0)
+    notes.push(`${counted(parts.strips!.ends.length, 'triangle strip')} taken apart into triangles.`);
+  if (ofFaces.length + ofStrips.length === 0) {
+    throw new FormatError('no_triangles', `The file has ${counted(position.length / 3, 'point')}, but no faces.`);
+  }
+  if (ofStrips.length === 0) return ofFaces;
+  const triangles = new Uint32Array(ofFaces.length + ofStrips.length);
+  triangles.set(ofFaces);
+  triangles.set(ofStrips, ofFaces.length);
+  return triangles;
+}
+
+function endNotes(bytes: Uint8Array, header: PlyHeader, values: PlyValues): string[] {
+  const notes: string[] = [];
+  if (values.left > 0) notes.push(`${counted(values.left, 'byte')} after the last element passed over.`);
+  const lastByteIsDigit = bytes.at(-1)! > 32;
+  if (header.encoding === 'ascii' && values.left === 0 && lastByteIsDigit) {
+    notes.push('The file does not end with a line break: if it was cut short, its last number may be wrong.');
+  }
+  return notes;
+}
+
+function labels(comments: string[], variables: Variable[]) {
+  const { units, componentNames } = noLabels();
+  const known = new Map(variables.map((variable) => [variable.name, variable.components]));
+  known.set('position', coordinates.length);
+  for (const [name, unit] of declaredUnits(comments)) if (known.has(name)) units[name] = unit;
+  for (const [name, names] of declaredComponentNames(comments)) {
+    if (known.get(name) === names.length) componentNames[name] = names;
+  }
+  return { units, componentNames };
+}

@@ -1,0 +1,318 @@
+import type { Variable } from '../../wasm/types.ts';
+import { FormatError } from './format-error.ts';
+import { type Polygons, triangulate, trianglesOfStrips } from './polygons.ts';
+import { asFloatingPoint } from './precision.ts';
+import { type Labels, noLabels, type Surface } from './surface.ts';
+import { isFloatArray, readDataArray, type VtkPacking, type VtkValues } from './vtk-data-array.ts';
+import { counted, grouped, listed, quoted } from './wording.ts';
+import { childrenOf, parseXml, type XmlNode } from './xml-tree.ts';
+
+// Written by hand on top of an XML parser and an inflater, although vtk.js has an XMLPolyDataReader. On files that VTK writes by
+// default that one fails (doubles inline behind 32-bit headers) or loses data (64-bit integers beyond 32 bits); it knows
+// no big-endian files; and it fills short arrays with zeros, allocates and inflates whatever a header declares.
+
+/** An honest file rarely shrinks further; a bomb goes to a thousandth of its size. Small files may be as constant as they like. */
+const mostExpansion = 256;
+const freeExpansion = 64 << 20;
+
+/** A point-data array before it is known whether all pieces have it. */
+interface PointArray {
+  name: string;
+  components: number;
+  values: VtkValues;
+  integers: boolean;
+}
+
+interface Piece {
+  position: PointArray;
+  arrays: PointArray[];
+  triangles: Uint32Array;
+  split: number;
+  strips: number;
+}
+
+/**
+ * Reads a VTP file (VTK XML PolyData): ASCII, inline base64, appended raw or base64, plain or zlib, either byte order.
+ * Polygons and strips are triangulated, pieces joined. Every numeric point-data array becomes a variable: Float32 and Float64 as they
+ * are, integers in single precision where that holds every value exactly, else in double. Units come from the information
+ * key UNITS_LABEL of an array.
+ */
+export function readVtp(bytes: Uint8Array): Surface {
+  const { root, appended } = openDocument(bytes);
+  checkKind(root);
+  const data = childrenOf(root, 'PolyData')[0];
+  const pieceNodes = data ? childrenOf(data, 'Piece') : [];
+  const packing = packingOf(root, appended, bytes.length);
+  const notes = notCarried(data, pieceNodes);
+  const pieces = pieceNodes.map((node, index) =>
+    readPiece(node, packing, pieceNodes.length > 1 ? `piece ${index} ` : ''),
+  );
+  const full = pieces.filter((piece) => piece.position.values.length > 0);
+  if (full.length === 0) throw new FormatError('no_points', 'The file has no points.');
+  const mesh = joinPieces(full, notes);
+  notes.push(...triangleNotes(full));
+  return { mesh, notes, ...labelsOf(pieceNodes, ['position', ...mesh.variables.map((variable) => variable.name)]) };
+}
+
+function openDocument(bytes: Uint8Array): { root: XmlNode; appended: VtkPacking['appended'] } {
+  const tag = indexOfText(bytes, '<AppendedData', 0);
+  const tagEnd = tag < 0 ? -1 : bytes.indexOf('>'.charCodeAt(0), tag);
+  if (tagEnd < 0) return { root: parseXml(bytes, false), appended: undefined };
+  const root = parseXml(bytes.subarray(0, tagEnd + 1), true);
+  const encoding = childrenOf(root, 'AppendedData')[0]?.attributes.encoding;
+  const data = appendedData(bytes.subarray(tagEnd + 1));
+  return { root, appended: encoding === 'base64' ? new TextDecoder('latin1').decode(data) : data };
+}
+
+function indexOfText(bytes: Uint8Array, text: string, from: number): number {
+  const codes = Array.from(text, (letter) => letter.charCodeAt(0));
+  let at = bytes.indexOf(codes[0], from);
+  while (at >= 0 && !codes.every((code, i) => bytes[at + i] === code)) at = bytes.indexOf(codes[0], at + 1);
+  return at;
+}
+
+/** The data between the underscore and the closing tags, which also tell that the file is whole. */
+function appendedData(rest: Uint8Array): Uint8Array {
+  const tailSize = 256;
+  const tail = new TextDecoder('latin1').decode(rest.subarray(-tailSize));
+  const closing = /<\/AppendedData\s*>\s*<\/VTKFile\s*>\s*$/.exec(tail);
+  if (!closing)
+    throw new FormatError('truncated', 'The file ends before </AppendedData> and </VTKFile>.', 'AppendedData');
+  const data = rest.subarray(0, rest.length - (tail.length - closing.index));
+  const start = data.findIndex((byte) => byte > 32);
+  if (data[start] !== '_'.charCodeAt(0)) {
+    throw new FormatError('corrupt', 'AppendedData does not begin with an underscore.', 'AppendedData');
+  }
+  return data.subarray(start + 1);
+}
+
+function checkKind(root: XmlNode): void {
+  const { type = '' } = root.attributes;
+  if (root.tag === 'VTKFile' && type === 'PolyData') return;
+  const advice = type.startsWith('P')
+    ? 'it only refers to other files'
+    : 'extract its surface first (in ParaView: Extract Surface)';
+  throw new FormatError('unsupported_format', `This is a VTK file of type ${quoted(type)}, not PolyData: ${advice}.`);
+}
+
+function packingOf(root: XmlNode, appended: VtkPacking['appended'], fileSize: number): VtkPacking {
+  const {
+    compressor = '',
+    header_type: headerType = 'UInt32',
+    byte_order: byteOrder = 'LittleEndian',
+  } = root.attributes;
+  if (compressor !== '' && compressor !== 'vtkZLibDataCompressor') {
+    const message = `The file is compressed by ${quoted(compressor)}; only zlib is read. Save it with zlib or without compression.`;
+    throw new FormatError('unsupported_feature', message);
+  }
+  if (!['UInt32', 'UInt64'].includes(headerType) || !['LittleEndian', 'BigEndian'].includes(byteOrder)) {
+    throw new FormatError(
+      'bad_header',
+      `Unknown header_type ${quoted(headerType)} or byte_order ${quoted(byteOrder)}.`,
+    );
+  }
+  return {
+    littleEndian: byteOrder === 'LittleEndian',
+    headerSize: headerType === 'UInt64' ? 8 : 4,
+    compressed: compressor !== '',
+    appended,
+    budget: { bytes: freeExpansion + mostExpansion * fileSize },
+  };
+}
+
+function readPiece(node: XmlNode, packing: VtkPacking, prefix: string): Piece {
+  const points = countOf(node, 'NumberOfPoints');
+  const position = readPoints(node, points, packing, prefix);
+  const arrays = pointArrays(node).map((array) => readPointArray(array, points, packing, prefix));
+  const seen = new Set<string>();
+  for (const { name } of arrays) {
+    if (seen.has(name))
+      throw new FormatError('duplicate_name', `Two point-data arrays are named ${quoted(name)}.`, quoted(name));
+    seen.add(name);
+  }
+  const polygons = readCells(node, 'Polys', packing, prefix);
+  const strips = readCells(node, 'Strips', packing, prefix);
+  const { triangles, split } = triangulate(polygons, position.values, `${prefix}polygon`);
+  const ofStrips = trianglesOfStrips(strips, position.values, `${prefix}strip`);
+  return { position, arrays, triangles: joined([triangles, ofStrips]), split, strips: strips.ends.length };
+}
+
+function countOf(node: XmlNode, attribute: string): number {
+  const text = node.attributes[attribute] ?? '0';
+  if (!/^\d{1,15}$/.test(text.trim())) {
+    throw new FormatError('bad_header', `${attribute} is ${quoted(text)}, which is not a whole number.`, attribute);
+  }
+  return Number(text);
+}
+
+function componentsOf(node: XmlNode): number {
+  return countOf(node, 'NumberOfComponents') || 1;
+}
+
+function readPoints(piece: XmlNode, points: number, packing: VtkPacking, prefix: string): PointArray {
+  const where = `array ${prefix}“Points”`;
+  const node = childrenOf(piece, 'Points').flatMap((parent) => childrenOf(parent, 'DataArray'))[0];
+  if (!node && points > 0) throw new FormatError('no_points', `The ${where} is missing.`, where);
+  if (!node) return { name: 'position', components: 3, values: new Float32Array(), integers: false };
+  if (points > 0 && componentsOf(node) !== 3) {
+    throw new FormatError('count_mismatch', `The ${where} has ${componentsOf(node)} components, but needs 3.`, where);
+  }
+  const values = readDataArray(node, 3 * points, packing, where);
+  return { name: 'position', components: 3, values, integers: !isFloatArray(node) };
+}
+
+/** The point-data arrays that are numbers. */
+function pointArrays(piece: XmlNode): XmlNode[] {
+  return childrenOf(piece, 'PointData').flatMap((parent) => childrenOf(parent, 'DataArray'));
+}
+
+function readPointArray(node: XmlNode, points: number, packing: VtkPacking, prefix: string): PointArray {
+  const name = node.attributes.Name ?? '';
+  if (name === '') throw new FormatError('empty_name', 'A point-data array has no name.', 'PointData');
+  const components = componentsOf(node);
+  const values = readDataArray(node, points * components, packing, `array ${prefix}${quoted(name)}`);
+  return { name, components, values, integers: !isFloatArray(node) };
+}
+
+/** Polys or Strips of a piece: their corners, and where each cell ends among them. */
+function readCells(piece: XmlNode, kind: 'Polys' | 'Strips', packing: VtkPacking, prefix: string): Polygons {
+  const count = countOf(piece, `NumberOf${kind}`);
+  if (count === 0) return { corners: new Uint32Array(), ends: new Uint32Array() };
+  const arrays = childrenOf(piece, kind).flatMap((parent) => childrenOf(parent, 'DataArray'));
+  const read = (name: string, length: number) => {
+    const where = `array ${prefix}“${kind} ${name}”`;
+    const node = arrays.find((array) => array.attributes.Name === name);
+    if (!node) throw new FormatError('count_mismatch', `The ${where} is missing.`, where);
+    return indices(readDataArray(node, length, packing, where), where);
+  };
+  const ends = read('offsets', count);
+  const falling = ends.findIndex((end, index) => index > 0 && end < ends[index - 1]);
+  if (falling >= 0) {
+    throw new FormatError(
+      'bad_polygon',
+      `The offsets of ${prefix}${kind} fall at ${grouped(falling)}.`,
+      `${prefix}${kind}`,
+    );
+  }
+  return { corners: read('connectivity', ends.at(-1)!), ends };
+}
+
+function indices(values: VtkValues, where: string): Uint32Array {
+  const wrong = values.findIndex((value: number) => !(value >= 0 && value < 2 ** 32 && Number.isInteger(value)));
+  if (wrong < 0) return new Uint32Array(values);
+  const message = `Value ${grouped(wrong)} of the ${where} is ${values[wrong]}, which cannot be an index.`;
+  throw new FormatError('bad_index', message, where);
+}
+
+function joinPieces(pieces: Piece[], notes: string[]) {
+  const [first] = pieces;
+  const everywhere = first!.arrays.filter(({ name, components }) =>
+    pieces.every(({ arrays }) => arrays.some((array) => array.name === name && array.components === components)),
+  );
+  const lost = new Set(pieces.flatMap(({ arrays }) => arrays.map((array) => array.name)));
+  for (const { name } of everywhere) lost.delete(name);
+  if (lost.size > 0) notes.push(`Not carried, since not every piece has them: the arrays ${listed([...lost])}.`);
+  const variables: Variable[] = everywhere.map(({ name, components }) => {
+    const parts = pieces.map(({ arrays }) => arrays.find((array) => array.name === name)!);
+    return { name, components, values: joinValues(parts) };
+  });
+  const integers = everywhere.filter((array) => array.integers).map((array) => array.name);
+  if (integers.length > 0) notes.push(`Whole numbers in the file, floating point from here on: ${listed(integers)}.`);
+  return { position: joinValues(pieces.map((piece) => piece.position)), triangles: joinTriangles(pieces), variables };
+}
+
+/** One after the other, in double precision if any of them is. */
+function joinValues(parts: PointArray[]): Float32Array | Float64Array {
+  const single = parts.every(({ values }) => values instanceof Float32Array);
+  const length = parts.reduce((sum, { values }) => sum + values.length, 0);
+  const values = single ? new Float32Array(length) : new Float64Array(length);
+  let at = 0;
+  for (const part of parts) {
+    values.set(part.values, at);
+    at += part.values.length;
+  }
+  return parts.every((part) => part.integers) ? asFloatingPoint(values as Float64Array) : values;
+}
+
+function joinTriangles(pieces: Piece[]): Uint32Array {
+  let firstPoint = 0;
+  const shifted = pieces.map(({ position, triangles }) => {
+    const shift = firstPoint;
+    firstPoint += position.values.length / 3;
+    return shift === 0 ? triangles : triangles.map((corner) => corner + shift);
+  });
+  const triangles = joined(shifted);
+  if (triangles.length > 0) return triangles;
+  throw new FormatError('no_triangles', `The file has ${counted(firstPoint, 'point')}, but no polygons or strips.`);
+}
+
+function joined(parts: Uint32Array[]): Uint32Array {
+  const full = parts.filter((part) => part.length > 0);
+  if (full.length === 1) return full[0];
+  const all = new Uint32Array(full.reduce((sum, part) => sum + part.length, 0));
+  let at = 0;
+  for (const part of full) {
+    all.set(part, at);
+    at += part.length;
+  }
+  return all;
+}
+
+function triangleNotes(pieces: Piece[]): string[] {
+  const notes: string[] = [];
+  const total = (key: 'split' | 'strips') => pieces.reduce((sum, piece) => sum + piece[key], 0);
+  if (total('split') > 0)
+    notes.push(`${counted(total('split'), 'polygon')} with more than three corners split into triangles.`);
+  if (total('strips') > 0) notes.push(`${counted(total('strips'), 'triangle strip')} taken apart into triangles.`);
+  if (pieces.length > 1) notes.push(`${counted(pieces.length, 'piece')} joined; where they meet, points stay double.`);
+  return notes;
+}
+
+/** What the file holds beside points, their arrays and triangles. */
+function notCarried(data: XmlNode | undefined, pieces: XmlNode[]): string[] {
+  const names = (parents: XmlNode[], tags = ['DataArray', 'Array']) => [
+    ...new Set(
+      parents
+        .flatMap((parent) => parent.children)
+        .filter(({ tag }) => tags.includes(tag))
+        .map(({ attributes }) => attributes.Name ?? ''),
+    ),
+  ];
+  const inPieces = (tag: string) => pieces.flatMap((piece) => childrenOf(piece, tag));
+  const cells = (kind: string) => pieces.reduce((sum, piece) => sum + countOf(piece, `NumberOf${kind}`), 0);
+  const arrays: [string, string[]][] = [
+    ['cell data', names(inPieces('CellData'))],
+    ['field data', names([data, ...pieces].flatMap((parent) => (parent ? childrenOf(parent, 'FieldData') : [])))],
+    ['text arrays', names(inPieces('PointData'), ['Array'])],
+  ];
+  const lost = arrays.filter(([, found]) => found.length > 0).map(([noun, found]) => `${noun} ${listed(found)}`);
+  if (cells('Verts') > 0) lost.push(counted(cells('Verts'), 'vertex cell'));
+  if (cells('Lines') > 0) lost.push(counted(cells('Lines'), 'line'));
+  return lost.length > 0 ? [`Not carried: ${lost.join('; ')}.`] : [];
+}
+
+function labelsOf(pieces: XmlNode[], names: string[]): Labels {
+  const labels = noLabels();
+  const known = new Set(names);
+  for (const piece of pieces) {
+    const points = childrenOf(piece, 'Points').flatMap((parent) => childrenOf(parent, 'DataArray'));
+    for (const node of points) addLabels(node, 'position', labels);
+    for (const node of pointArrays(piece))
+      if (known.has(node.attributes.Name!)) addLabels(node, node.attributes.Name!, labels);
+  }
+  return labels;
+}
+
+function addLabels(node: XmlNode, name: string, { units, componentNames }: Labels): void {
+  const unit = childrenOf(node, 'InformationKey')
+    .find(({ attributes }) => attributes.name === 'UNITS_LABEL')
+    ?.text.trim();
+  if (unit) units[name] = unit;
+  const components = Array.from(
+    { length: Math.min(componentsOf(node), 64) },
+    (_, index) => node.attributes[`ComponentName${index}`],
+  );
+  if (components.some((component) => component !== undefined)) {
+    componentNames[name] = components.map((component, index) => component ?? String(index));
+  }
+}

@@ -1,0 +1,44 @@
+import { FormatError } from './format-error.ts';
+import { recognise } from './recognise.ts';
+import type { Format, Surface } from './surface.ts';
+
+/** One reader a format, each loaded when the first file of its format comes. */
+const readers: Record<Format, () => Promise<(bytes: Uint8Array) => Surface | Promise<Surface>>> = {
+  ply: async () => (await import('./read-ply.ts')).readPly,
+  vtp: async () => (await import('./read-vtp.ts')).readVtp,
+};
+
+export interface SurfaceFile extends Surface {
+  format: Format;
+  /** The notes as one text; empty if there is nothing to say. */
+  summary: string;
+}
+
+/**
+ * Reads a surface with its variables from a file in memory, in the browser, a worker or Node. The content decides about the
+ * format; `name` only serves to say so where its ending claims another. Throws a FormatError for whatever is wrong with the
+ * file. Values that are NaN or infinite, repeated corners and unused points are passed on: they are the core's to judge.
+ */
+export async function readSurface(name: string, bytes: Uint8Array): Promise<SurfaceFile> {
+  const format = recognise(bytes);
+  const read = await readers[format]();
+  const surface = await withinMemory(() => read(bytes));
+  const notes = [...endingNote(name, format), ...surface.notes];
+  return { ...surface, format, notes, summary: notes.join(' ') };
+}
+
+async function withinMemory(read: () => Surface | Promise<Surface>): Promise<Surface> {
+  try {
+    return await read();
+  } catch (error) {
+    // Engines report an array or a string that they have no room for as a RangeError.
+    if (!(error instanceof RangeError)) throw error;
+    throw new FormatError('too_large', `The file does not fit into memory (${error.message}).`);
+  }
+}
+
+function endingNote(name: string, format: Format): string[] {
+  const ending = /\.(\w+)$/.exec(name)?.[1]?.toLowerCase();
+  if (!ending || ending === format) return [];
+  return [`The name ends in .${ending}, but the content is ${format.toUpperCase()}; it was read as such.`];
+}

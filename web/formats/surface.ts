@@ -1,0 +1,29 @@
+import type { Mesh } from '../../wasm/types.ts';
+
+/** The formats that are read and written, by the usual ending of their names. */
+export type Format = 'ply' | 'vtp';
+
+/** What a file says of its variables beside their values. Keys are variable names; `position` is the geometry. */
+export interface Labels {
+  /** Units as written in the file: `{ pressure: 'Pa' }`. */
+  units: Record<string, string>;
+  /** What the components of a variable are called, one name each. */
+  componentNames: Record<string, string[]>;
+}
+
+/** What a reader hands over. */
+export interface Surface extends Labels {
+  mesh: Mesh;
+  /** What the user should know of the reading: what was changed, what is not carried. One sentence each. */
+  notes: string[];
+}
+
+export interface WriteOptions extends Partial<Labels> {
+  /** PLY only. Default: binary little endian. */
+  encoding?: 'ascii' | 'binary_little_endian' | 'binary_big_endian';
+}
+
+/** Labels without any; their keys come from files, so they have no prototype that a name could reach. */
+export function noLabels(): Labels {
+  return { units: Object.create(null), componentNames: Object.create(null) };
+}

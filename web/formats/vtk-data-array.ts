@@ -1,0 +1,194 @@
+import { unzlibSync } from 'fflate';
+import { AsciiNumbers } from './ascii-numbers.ts';
+import { Base64Bytes, type ByteStream, RawBytes } from './byte-streams.ts';
+import { FormatError } from './format-error.ts';
+import { counted, grouped, quoted } from './wording.ts';
+import type { XmlNode } from './xml-tree.ts';
+
+/** Where the binary data of a VTK XML file is and how it is packed; the same for all its arrays. */
+export interface VtkPacking {
+  littleEndian: boolean;
+  /** 4 or 8: the size of the numbers that stand before binary data. */
+  headerSize: number;
+  compressed: boolean;
+  /** What follows the underscore in AppendedData: bytes as they are, or base64 text. */
+  appended: Uint8Array | string | undefined;
+  /** How many more bytes the arrays may take: what stands between a small file and a zlib bomb. */
+  budget: { bytes: number };
+}
+
+export type VtkValues = Float32Array | Float64Array;
+/** Arrays of the size of each type; 64-bit integers are put together separately. */
+const types = {
+  Int8: Int8Array,
+  UInt8: Uint8Array,
+  Int16: Int16Array,
+  UInt16: Uint16Array,
+  Int32: Int32Array,
+  UInt32: Uint32Array,
+  Int64: Float64Array,
+  UInt64: Float64Array,
+  Float32: Float32Array,
+  Float64: Float64Array,
+};
+type VtkType = keyof typeof types;
+
+export function isFloatArray(node: XmlNode): boolean {
+  return node.attributes.type === 'Float32' || node.attributes.type === 'Float64';
+}
+
+/**
+ * The numbers of a DataArray: Float32 as it is, everything else in doubles. Throws unless there are exactly `count` of them;
+ * `where` names the array in messages. Nothing is allocated that the file cannot fill.
+ */
+export function readDataArray(node: XmlNode, count: number, packing: VtkPacking, where: string): VtkValues {
+  const type = node.attributes.type as VtkType;
+  if (!Object.hasOwn(types, type)) {
+    throw new FormatError(
+      'unsupported_feature',
+      `The ${where} is of type ${quoted(type ?? '')}, which is not read.`,
+      where,
+    );
+  }
+  if (node.attributes.format === 'ascii') return readAscii(node.text, count, type, where);
+  const size = count * types[type].BYTES_PER_ELEMENT;
+  const bytes = readBytes(node, size, packing, where);
+  if (!packing.littleEndian) reverseEach(bytes, types[type].BYTES_PER_ELEMENT);
+  if (type === 'Int64' || type === 'UInt64') return wideIntegers(bytes, type === 'Int64');
+  const values = new types[type](bytes.buffer);
+  return values instanceof Float32Array || values instanceof Float64Array ? values : new Float64Array(values);
+}
+
+/** 64-bit integers as the nearest doubles, by halves: BigInt would take many times as long. */
+function wideIntegers(bytes: Uint8Array<ArrayBuffer>, signed: boolean): Float64Array {
+  const low = new Uint32Array(bytes.buffer);
+  const high = signed ? new Int32Array(bytes.buffer) : low;
+  const values = new Float64Array(low.length / 2);
+  for (let i = 0; i < values.length; i++) values[i] = high[2 * i + 1] * 2 ** 32 + low[2 * i];
+  return values;
+}
+
+function readAscii(text: string, count: number, type: VtkType, where: string): VtkValues {
+  // A number takes a digit and a space.
+  if (2 * count > text.length + 1) throw wrongCount(where, `fewer than ${grouped(count)} values`, count);
+  const numbers = new AsciiNumbers(new TextEncoder().encode(text), 0, () => where);
+  const values = type === 'Float32' ? new Float32Array(count) : new Float64Array(count);
+  for (let i = 0; i < count; i++) {
+    if (numbers.atEnd()) throw wrongCount(where, counted(i, 'value'), count);
+    values[i] = numbers.next();
+  }
+  if (!numbers.atEnd()) throw wrongCount(where, `more than ${counted(count, 'value')}`, count);
+  return values;
+}
+
+function wrongCount(where: string, has: string, needed: number): FormatError {
+  return new FormatError('count_mismatch', `The ${where} has ${has}, but needs ${grouped(needed)}.`, where);
+}
+
+function readBytes(node: XmlNode, size: number, packing: VtkPacking, where: string): Uint8Array<ArrayBuffer> {
+  if (size === 0) return new Uint8Array();
+  packing.budget.bytes -= size;
+  if (packing.budget.bytes < 0) {
+    const message = `The ${where} would unpack to ${grouped(size)} bytes, far more than a file of this size holds.`;
+    throw new FormatError('too_large', message, where);
+  }
+  const stream = openStream(node, packing, where);
+  return packing.compressed ? takeCompressed(stream, size, packing, where) : takePlain(stream, size, packing, where);
+}
+
+function openStream(node: XmlNode, { appended }: VtkPacking, where: string): ByteStream {
+  const { format, offset } = node.attributes;
+  if (format === 'binary') return new Base64Bytes(node.text, 0, where);
+  if (format !== 'appended') {
+    throw new FormatError('unsupported_feature', `The ${where} has the unknown format ${quoted(format ?? '')}.`, where);
+  }
+  if (appended === undefined)
+    throw new FormatError('truncated', `The ${where} is in AppendedData, which the file lacks.`, where);
+  if (!/^\d{1,15}$/.test(offset ?? '')) {
+    throw new FormatError('bad_header', `The ${where} has no valid offset into AppendedData.`, where);
+  }
+  if (typeof appended === 'string') return new Base64Bytes(appended, Number(offset), where);
+  return new RawBytes(appended.subarray(Number(offset)), where);
+}
+
+/** Uncompressed data: the number of bytes, then these. */
+function takePlain(stream: ByteStream, size: number, packing: VtkPacking, where: string): Uint8Array<ArrayBuffer> {
+  const [length] = takeHeader(stream, 1, packing);
+  if (length !== size) throw wrongSize(where, length!, size);
+  return stream.take(size);
+}
+
+/**
+ * Compressed data: the number of blocks, the size of a block, the size of the last one if it is smaller (else 0), the
+ * compressed size of each, then the blocks.
+ */
+function takeCompressed(stream: ByteStream, size: number, packing: VtkPacking, where: string): Uint8Array<ArrayBuffer> {
+  const [blocks, blockSize, lastSize] = takeHeader(stream, 3, packing) as [number, number, number];
+  const total = lastSize === 0 ? blocks * blockSize : (blocks - 1) * blockSize + lastSize;
+  if (total !== size || blocks < 1) throw wrongSize(where, total, size);
+  const sizes = takeHeader(stream, blocks, packing);
+  const bytes = new Uint8Array(size);
+  for (const [index, compressedSize] of sizes.entries()) {
+    const isLast = index === blocks - 1 && lastSize > 0;
+    const room = bytes.subarray(index * blockSize, index * blockSize + (isLast ? lastSize : blockSize));
+    inflate(stream.take(compressedSize), room, where);
+  }
+  return bytes;
+}
+
+function takeHeader(stream: ByteStream, words: number, { headerSize, littleEndian }: VtkPacking): number[] {
+  const bytes = stream.take(words * headerSize);
+  const view = new DataView(bytes.buffer);
+  return Array.from({ length: words }, (_, word) =>
+    headerSize === 8 ? Number(view.getBigUint64(8 * word, littleEndian)) : view.getUint32(4 * word, littleEndian),
+  );
+}
+
+function wrongSize(where: string, has: number, needed: number): FormatError {
+  return new FormatError(
+    'count_mismatch',
+    `The ${where} has ${grouped(has)} bytes, but needs ${grouped(needed)}.`,
+    where,
+  );
+}
+
+/** Unpacks one zlib stream that must fill `room` exactly. fflate does not look at the checksum, so that is done here. */
+function inflate(compressed: Uint8Array, room: Uint8Array, where: string): void {
+  const oneMore = new Uint8Array(room.length + 1);
+  let unpacked: Uint8Array;
+  try {
+    unpacked = unzlibSync(compressed, { out: oneMore });
+  } catch (error) {
+    throw new FormatError(
+      'corrupt',
+      `The compressed ${where} cannot be unpacked (${(error as Error).message}).`,
+      where,
+    );
+  }
+  const checksum = new DataView(compressed.buffer, compressed.byteOffset + compressed.length - 4).getUint32(0);
+  if (unpacked.length !== room.length || adler32(unpacked) !== checksum) {
+    throw new FormatError('corrupt', `The compressed ${where} is damaged: its size or checksum is wrong.`, where);
+  }
+  room.set(unpacked);
+}
+
+function adler32(bytes: Uint8Array): number {
+  const modulus = 65521;
+  // So many bytes at once keep both sums below 2^31, where arithmetic is fastest.
+  const run = 3800;
+  let [a, b] = [1, 0];
+  for (let start = 0; start < bytes.length; start += run) {
+    const end = Math.min(start + run, bytes.length);
+    for (let i = start; i < end; i++) {
+      a += bytes[i];
+      b += a;
+    }
+    a %= modulus;
+    b %= modulus;
+  }
+  return b * 65536 + a;
+}
+
+function reverseEach(bytes: Uint8Array, size: number): void {
+  for (let at = 0; at < bytes.length; at += size) bytes.subarray(at, at + size).reverse();
+}

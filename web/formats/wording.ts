@@ -1,0 +1,23 @@
+/** `1 face`, `12 000 faces`: a count with its noun. */
+export function counted(count: number, noun: string): string {
+  return `${grouped(count)} ${noun}${count === 1 ? '' : 's'}`;
+}
+
+/** Digits in groups of three, the same in every locale. */
+export function grouped(count: number): string {
+  return String(count).replace(/\B(?=(\d{3})+$)/g, ' ');
+}
+
+/** A name from a file, shortened and without control characters, fit to stand in a sentence. */
+export function quoted(name: string): string {
+  const longest = 60;
+  const printable = name.replace(/\p{Cc}/gu, '\u{FFFD}');
+  return `“${printable.length > longest ? `${printable.slice(0, longest)}…` : printable}”`;
+}
+
+/** `“a”, “b” and 17 more`: so that a note stays readable whatever a file holds. */
+export function listed(names: string[]): string {
+  const most = 8;
+  const shown = names.slice(0, most).map(quoted).join(', ');
+  return names.length > most ? `${shown} and ${names.length - most} more` : shown;
+}

@@ -1,0 +1,161 @@
+import type { Mesh, Variable } from '../../wasm/types.ts';
+import { FormatError } from './format-error.ts';
+import { groupProperties, type PlyVariable, propertyNames } from './ply-variables.ts';
+import type { WriteOptions } from './surface.ts';
+
+type Values = Float32Array | Float64Array;
+
+/** A property of a vertex: a component of a variable. */
+interface Column {
+  name: string;
+  type: 'float' | 'double' | 'uchar';
+  values: Values;
+  step: number;
+  offset: number;
+}
+
+const columnSizes = { float: 4, double: 8, uchar: 1 };
+/** A face: one byte that says three, and three indices. */
+const faceSize = 1 + 3 * 4;
+
+/**
+ * Writes a PLY file that readPly gives back bit for bit: float stays float, double stays double, and every variable its
+ * name, components and unit. Vectors are written under their usual property names; where those would not lead back to the
+ * variables (names with spaces, a scalar named velocity_x) comments say what belongs together.
+ */
+export function writePly(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
+  const encoding = options.encoding ?? 'binary_little_endian';
+  const groups = nameProperties(mesh.variables);
+  const columns = vertexColumns(mesh, groups);
+  const header = headerText(mesh, groups, columns, encoding, options);
+  if (encoding === 'ascii') return new TextEncoder().encode(header + asciiBody(mesh, columns));
+  return binaryFile(new TextEncoder().encode(header), mesh, columns, encoding === 'binary_little_endian');
+}
+
+function nameProperties(variables: Variable[]): PlyVariable[] {
+  const used = new Set(['x', 'y', 'z']);
+  return variables.map(({ name, components }) => {
+    // PLY separates words by spaces and is read as ASCII by most programs.
+    const word = name.replace(/[^!-~]+/g, '_') || 'variable';
+    const properties = propertyNames(word, components).map((property) => unique(property, used));
+    return { name, properties };
+  });
+}
+
+function unique(name: string, used: Set<string>): string {
+  let free = name;
+  for (let copy = 2; used.has(free); copy++) free = `${name}__${copy}`;
+  used.add(free);
+  return free;
+}
+
+function vertexColumns(mesh: Mesh, groups: PlyVariable[]): Column[] {
+  const position = { name: 'position', components: 3, values: mesh.position };
+  const columns = columnsOf(position, ['x', 'y', 'z']);
+  for (const [index, group] of groups.entries()) columns.push(...columnsOf(mesh.variables[index], group.properties));
+  return columns;
+}
+
+function columnsOf(variable: Variable, properties: string[]): Column[] {
+  const { values, components } = variable;
+  const type = typeOf(variable);
+  return properties.map((name, offset) => ({ name, type, values, step: components, offset }));
+}
+
+/** Colours that came from bytes go back to bytes: that is what other programs look for. They read back the same. */
+function typeOf({ name, values }: Variable): Column['type'] {
+  if (values instanceof Float64Array) return 'double';
+  const isByte = (value: number) => value >= 0 && value <= 255 && Number.isInteger(value) && !Object.is(value, -0);
+  return name === 'color' && values.every(isByte) ? 'uchar' : 'float';
+}
+
+function headerText(
+  mesh: Mesh,
+  groups: PlyVariable[],
+  columns: Column[],
+  encoding: string,
+  options: WriteOptions,
+): string {
+  const vertices = mesh.position.length / 3;
+  // Signed indices are what every program reads; beyond them there is no room in memory anyway.
+  if (vertices > 2 ** 31)
+    throw new FormatError('too_large', 'PLY indices are 32-bit; the mesh has more points than that.');
+  const lines = ['ply', `format ${encoding} 1.0`, 'comment written by Meshbound', ...commentLines(groups, options)];
+  lines.push(`element vertex ${vertices}`);
+  for (const { type, name } of columns) lines.push(`property ${type} ${name}`);
+  lines.push(`element face ${mesh.triangles.length / 3}`, 'property list uchar int vertex_indices', 'end_header', '');
+  return lines.join('\n');
+}
+
+function commentLines(groups: PlyVariable[], { units = {}, componentNames = {} }: WriteOptions): string[] {
+  const lines: string[] = [];
+  const asRead = groupProperties(groups.flatMap((group) => group.properties));
+  if (JSON.stringify(asRead) !== JSON.stringify(groups)) {
+    for (const { name, properties } of groups)
+      lines.push(`comment variable ${JSON.stringify(name)} ${properties.join(' ')}`);
+  }
+  const names = ['position', ...groups.map((group) => group.name)];
+  for (const name of names) {
+    const unit = Object.hasOwn(units, name) && oneLine(units[name]);
+    if (unit) lines.push(`comment unit ${/^[!#-~][!-~]*$/.test(name) ? name : JSON.stringify(name)} ${unit}`);
+    const components = Object.hasOwn(componentNames, name) && componentNames[name];
+    if (components) lines.push(`comment components ${JSON.stringify(name)} ${JSON.stringify(components)}`);
+  }
+  return lines;
+}
+
+function oneLine(text: string): string {
+  return text.replace(/\s+/g, ' ').trim();
+}
+
+function asciiBody(mesh: Mesh, columns: Column[]): string {
+  const lines: string[] = [];
+  for (let vertex = 0; vertex < mesh.position.length / 3; vertex++) {
+    lines.push(columns.map(({ values, step, offset }) => asciiNumber(values[vertex * step + offset])).join(' '));
+  }
+  for (let at = 0; at < mesh.triangles.length; at += 3)
+    lines.push(`3 ${mesh.triangles.subarray(at, at + 3).join(' ')}`);
+  return `${lines.join('\n')}\n`;
+}
+
+/** The shortest digits that give the number back; JavaScript's own drop the sign of −0 and C reads nan and inf. */
+function asciiNumber(value: number): string {
+  if (Number.isNaN(value)) return 'nan';
+  if (!Number.isFinite(value)) return value > 0 ? 'inf' : '-inf';
+  return Object.is(value, -0) ? '-0' : String(value);
+}
+
+function binaryFile(header: Uint8Array, mesh: Mesh, columns: Column[], littleEndian: boolean): Uint8Array {
+  const vertices = mesh.position.length / 3;
+  const vertexSize = columns.reduce((sum, { type }) => sum + columnSizes[type], 0);
+  const file = new Uint8Array(header.length + vertices * vertexSize + (mesh.triangles.length / 3) * faceSize);
+  file.set(header);
+  const view = new DataView(file.buffer);
+  let start = header.length;
+  for (const column of columns) {
+    writeColumn(view, start, vertexSize, column, littleEndian);
+    start += columnSizes[column.type];
+  }
+  writeFaces(view, header.length + vertices * vertexSize, mesh.triangles, littleEndian);
+  return file;
+}
+
+function writeColumn(view: DataView, start: number, vertexSize: number, column: Column, littleEndian: boolean): void {
+  const { type, values, step, offset } = column;
+  let at = start;
+  for (let i = offset; i < values.length; i += step) {
+    if (type === 'double') view.setFloat64(at, values[i], littleEndian);
+    else if (type === 'float') view.setFloat32(at, values[i], littleEndian);
+    else view.setUint8(at, values[i]);
+    at += vertexSize;
+  }
+}
+
+function writeFaces(view: DataView, start: number, triangles: Uint32Array, littleEndian: boolean): void {
+  let at = start;
+  for (let i = 0; i < triangles.length; i += 3) {
+    view.setUint8(at, 3);
+    for (let corner = 0; corner < 3; corner++) view.setInt32(at + 1 + 4 * corner, triangles[i + corner], littleEndian);
+    at += faceSize;
+  }
+}
