@@ -1,0 +1,190 @@
+import { css, html, LitElement } from 'lit';
+import type { Sample } from '../session/services.ts';
+import type { Session } from '../session/session.ts';
+import type { BoundChange } from './bounds-panel.ts';
+import './bounds-panel.ts';
+import { controlsStyle } from './controls-style.ts';
+import { FileDrop } from './file-drop.ts';
+import { reducedFileName } from './file-name.ts';
+import './notices.ts';
+import type { SavedFormat } from './result-bar.ts';
+import './result-bar.ts';
+import { save } from './save.ts';
+import type { Stage } from './stage.ts';
+import './stage.ts';
+import './toolbar.ts';
+import { firstView, type ViewSettings } from './view-settings.ts';
+
+/** The whole page around one session. */
+export class App extends LitElement {
+  static override properties = {
+    session: { attribute: false },
+    samples: { attribute: false },
+    sample: { state: true },
+    settings: { state: true },
+  };
+
+  static override styles = [
+    controlsStyle,
+    css`
+      :host {
+        display: grid;
+        grid-template: 'toolbar toolbar' auto 'bounds stage' minmax(0, 1fr) 'result result' auto / 320px minmax(0, 1fr);
+        height: 100dvh;
+      }
+      meshbound-toolbar {
+        grid-area: toolbar;
+        background: var(--panel);
+        border-bottom: 1px solid var(--line);
+      }
+      .bounds {
+        grid-area: bounds;
+        overflow-y: auto;
+        background: var(--panel);
+        border-right: 1px solid var(--line);
+      }
+      .stage {
+        grid-area: stage;
+        position: relative;
+      }
+      meshbound-stage {
+        height: 100%;
+      }
+      meshbound-notices {
+        position: absolute;
+        z-index: 1;
+        top: 12px;
+        left: 50%;
+        width: min(620px, 100% - 24px);
+        transform: translateX(-50%);
+      }
+      meshbound-result-bar {
+        grid-area: result;
+        background: var(--panel);
+        border-top: 1px solid var(--line);
+      }
+      .drop {
+        position: fixed;
+        z-index: 3;
+        inset: 8px;
+        display: grid;
+        place-items: center;
+        background: var(--veil);
+        border: 2px dashed var(--accent);
+        border-radius: var(--radius);
+        pointer-events: none;
+      }
+      .drop:not(.hovering) {
+        display: none;
+      }
+      @media (max-width: 800px) {
+        :host {
+          grid-template: 'toolbar' auto 'stage' min(150vw, 70dvh) 'result' auto 'bounds' auto / minmax(0, 1fr);
+          height: auto;
+        }
+        .bounds {
+          border-right: none;
+          border-top: 1px solid var(--line);
+        }
+      }
+    `,
+  ];
+
+  declare session: Session;
+  declare samples: readonly Sample[];
+  /** Name of the sample that was opened last; empty where it was a file. */
+  declare sample: string;
+  declare settings: ViewSettings;
+
+  constructor() {
+    super();
+    this.samples = [];
+    this.sample = '';
+    this.settings = firstView;
+  }
+
+  #drop = new FileDrop(this, (file) => this.#openFile(file));
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.session.addEventListener('change', this.#sessionChanged);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.session.removeEventListener('change', this.#sessionChanged);
+  }
+
+  override render() {
+    const { surface, bounds, result, opening, progress, notices } = this.session.state;
+    return html`
+      <meshbound-toolbar
+        role="banner"
+        .samples=${this.samples}
+        .sample=${this.sample}
+        .surface=${surface}
+        .bounds=${bounds}
+        .settings=${this.settings}
+        @open-file=${({ detail }: CustomEvent<File>) => this.#openFile(detail)}
+        @open-sample=${({ detail }: CustomEvent<Sample>) => this.openSample(detail)}
+        @view-change=${({ detail }: CustomEvent<ViewSettings>) => (this.settings = detail)}
+        @fit=${() => this.renderRoot.querySelector<Stage>('meshbound-stage')?.fit()}
+      ></meshbound-toolbar>
+      <div class="bounds" role="region" aria-label="Bounds">
+        <meshbound-bounds-panel
+          .surface=${surface}
+          .bounds=${bounds}
+          .report=${result?.report ?? null}
+          @bounds-change=${({ detail }: CustomEvent<BoundChange>) => this.#changeBounds(detail)}
+        ></meshbound-bounds-panel>
+      </div>
+      <div class="stage" role="main">
+        <meshbound-stage
+          .surface=${surface}
+          .result=${result}
+          .settings=${this.settings}
+          @stage-fault=${({ detail }: CustomEvent<string>) => this.session.report(detail)}
+        ></meshbound-stage>
+        <meshbound-notices
+          .notices=${notices}
+          @dismiss=${({ detail }: CustomEvent<number>) => this.session.dismiss(detail)}
+        ></meshbound-notices>
+      </div>
+      <meshbound-result-bar
+        role="contentinfo"
+        .report=${result?.report ?? null}
+        .opening=${opening}
+        .progress=${progress}
+        @save=${({ detail }: CustomEvent<SavedFormat>) => this.#save(detail)}
+      ></meshbound-result-bar>
+      <div class="drop ${this.#drop.hovering ? 'hovering' : ''}">Drop to open</div>
+    `;
+  }
+
+  openSample(sample: Sample): void {
+    void this.session.openSample(sample);
+  }
+
+  #openFile(file: File): void {
+    void this.session.openFile(file);
+  }
+
+  #changeBounds(change: BoundChange): void {
+    if ('all' in change) this.session.setAllBounds(change.all);
+    else this.session.setBound(change.variable, change.setting);
+  }
+
+  async #save(format: SavedFormat): Promise<void> {
+    const { surface, result } = this.session.state;
+    if (!surface || !result) return;
+    try {
+      await save(result.mesh, surface.labels, format, reducedFileName(surface.name, format));
+    } catch (error) {
+      this.session.report(error);
+    }
+  }
+
+  #sessionChanged = (): void => this.requestUpdate();
+}
+
+customElements.define('meshbound-app', App);

@@ -1,0 +1,119 @@
+import { css, html, LitElement } from 'lit';
+import { tidy } from '../session/bound-setting.ts';
+
+/** The slider reaches from 0.01 % to 20 %, logarithmic; a number field reaches beyond. */
+const lowest = 0.0001;
+const highest = 0.2;
+const steps = 330;
+
+/** The place of a fraction on the slider, 0…1. */
+export function placeOf(fraction: number): number {
+  const place = Math.log(fraction / lowest) / Math.log(highest / lowest);
+  return Math.min(1, Math.max(0, place));
+}
+
+/** The fraction at a place, 0…1. */
+export function fractionAt(place: number): number {
+  return tidy(lowest * (highest / lowest) ** place);
+}
+
+/**
+ * Sets a bound. Inside its track a bar shows how much of the bound the result uses.
+ *
+ * @fires bound-input with the chosen fraction
+ */
+export class BoundSlider extends LitElement {
+  static override properties = {
+    fraction: { type: Number },
+    used: { type: Number },
+    label: {},
+    spoken: {},
+    disabled: { type: Boolean },
+  };
+
+  static override styles = css`
+    :host {
+      display: block;
+    }
+    input {
+      --thumb: 14px;
+      --bound: calc(var(--place) * (100% - var(--thumb)) + var(--thumb) / 2);
+      display: block;
+      width: 100%;
+      height: 20px;
+      margin: 0;
+      appearance: none;
+      cursor: pointer;
+      border-radius: var(--radius);
+      background:
+        linear-gradient(var(--accent) 0 0) 0 50% / calc(var(--used) * var(--bound)) 4px,
+        linear-gradient(var(--accent-soft) 0 0) 0 50% / var(--bound) 10px,
+        linear-gradient(var(--line) 0 0) 0 50% / 100% 10px;
+      background-repeat: no-repeat;
+    }
+    input::-webkit-slider-thumb {
+      appearance: none;
+      width: var(--thumb);
+      height: 20px;
+      background: var(--control);
+      border: 2px solid var(--accent);
+      border-radius: var(--radius);
+    }
+    input::-moz-range-thumb {
+      box-sizing: border-box;
+      width: var(--thumb);
+      height: 20px;
+      background: var(--control);
+      border: 2px solid var(--accent);
+      border-radius: var(--radius);
+    }
+    input:focus-visible {
+      outline: 2px solid var(--accent);
+      outline-offset: 2px;
+    }
+    input:disabled {
+      cursor: default;
+      opacity: 0.45;
+    }
+  `;
+
+  declare fraction: number;
+  /** error / bound of the result, 0…1. */
+  declare used: number;
+  declare label: string;
+  /** What a screen reader says for the chosen place. */
+  declare spoken: string;
+  declare disabled: boolean;
+
+  constructor() {
+    super();
+    this.fraction = lowest;
+    this.used = 0;
+    this.label = '';
+    this.spoken = '';
+    this.disabled = false;
+  }
+
+  override render() {
+    const place = placeOf(this.fraction);
+    return html`<input
+      type="range"
+      min="0"
+      max=${steps}
+      step="1"
+      aria-label=${this.label}
+      aria-valuetext=${this.spoken}
+      style="--place:${place};--used:${this.used}"
+      .value=${String(Math.round(place * steps))}
+      ?disabled=${this.disabled}
+      @input=${this.#input}
+    />`;
+  }
+
+  #input({ target }: Event): void {
+    const fraction = fractionAt(Number((target as HTMLInputElement).value) / steps);
+    this.dispatchEvent(new CustomEvent('bound-input', { detail: fraction }));
+  }
+}
+
+customElements.define('meshbound-bound-slider', BoundSlider);

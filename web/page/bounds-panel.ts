@@ -1,0 +1,123 @@
+import { css, html, LitElement, nothing } from 'lit';
+import { repeat } from 'lit/directives/repeat.js';
+import type { Report, VariableExtent } from '../../wasm/index.ts';
+import { type BoundSetting, type BoundSettings, largestFraction } from '../session/bound-setting.ts';
+import type { OpenSurface } from '../session/session.ts';
+import './bound-row.ts';
+import { controlsStyle } from './controls-style.ts';
+import { percentText } from './number-text.ts';
+import { heldBackSentence } from './promise-words.ts';
+
+/** What the panel asks for: the bound of one variable, or the largest of all with the others in proportion. */
+export type BoundChange = { variable: string; setting: BoundSetting } | { all: number };
+
+/**
+ * A row for each variable of the surface, one that moves all, and what holds the result back.
+ *
+ * @fires bounds-change with a BoundChange
+ */
+export class BoundsPanel extends LitElement {
+  static override properties = {
+    surface: { attribute: false },
+    bounds: { attribute: false },
+    report: { attribute: false },
+  };
+
+  static override styles = [
+    controlsStyle,
+    css`
+      :host {
+        display: block;
+        padding: 12px 16px;
+      }
+      .row {
+        padding: 8px 0;
+        border-top: 1px solid var(--line);
+      }
+      h2 {
+        margin-bottom: 6px;
+        font-weight: 600;
+      }
+      .all {
+        display: grid;
+        grid-template-columns: 1fr auto;
+        gap: 2px var(--gap);
+        align-items: center;
+        padding-bottom: 8px;
+      }
+      .all meshbound-bound-slider {
+        grid-column: 1 / -1;
+      }
+      .held {
+        padding-top: 8px;
+        border-top: 1px solid var(--line);
+      }
+    `,
+  ];
+
+  declare surface: OpenSurface | null;
+  declare bounds: BoundSettings;
+  declare report: Report | null;
+
+  constructor() {
+    super();
+    this.surface = null;
+    this.bounds = {};
+    this.report = null;
+  }
+
+  override render() {
+    if (!this.surface) return html`<h2>Bounds</h2>`;
+    const variables = this.surface.variables;
+    return html`
+      <h2>Bounds</h2>
+      ${this.#all()}
+      ${repeat(
+        variables,
+        ({ name }) => name,
+        (variable, index) => this.#row(variable, index),
+      )}
+      ${this.#heldBack()}
+    `;
+  }
+
+  #all() {
+    const fraction = largestFraction(this.bounds);
+    const input = ({ detail }: CustomEvent<number>) => this.#change({ all: detail });
+    return html`<div class="all">
+      <span>All <span class="small soft">the largest; the others in proportion</span></span>
+      <meshbound-percent-field label="Largest bound in percent" .fraction=${fraction} @bound-input=${input}>
+      </meshbound-percent-field>
+      <meshbound-bound-slider
+        label="All bounds"
+        spoken="largest ${percentText(fraction)}"
+        .fraction=${fraction}
+        @bound-input=${input}
+      ></meshbound-bound-slider>
+    </div>`;
+  }
+
+  #row(variable: VariableExtent, index: number) {
+    return html`<div class="row">
+      <meshbound-bound-row
+        .variable=${variable}
+        .unit=${this.surface?.labels.units[variable.name]}
+        .setting=${this.bounds[variable.name]}
+        .reached=${this.report?.variables[index] ?? null}
+        @bound-change=${({ detail }: CustomEvent<BoundSetting>) =>
+          this.#change({ variable: variable.name, setting: detail })}
+      ></meshbound-bound-row>
+    </div>`;
+  }
+
+  #heldBack() {
+    const sentence = this.report && heldBackSentence(this.report);
+    return sentence ? html`<p class="held small soft">${sentence}</p>` : nothing;
+  }
+
+  #change(detail: BoundChange): void {
+    this.dispatchEvent(new CustomEvent('bounds-change', { detail }));
+  }
+}
+
+customElements.define('meshbound-bounds-panel', BoundsPanel);

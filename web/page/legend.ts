@@ -1,0 +1,104 @@
+import { css, html, LitElement, nothing } from 'lit';
+import { aboveBoundColour, cssColour, cssGradient, missingColour } from '../colour/colormaps.ts';
+import { placeIn, roundTicks } from '../colour/colour-range.ts';
+import type { Meaning } from './colouring.ts';
+import { controlsStyle } from './controls-style.ts';
+import { valueText, withUnit } from './number-text.ts';
+
+/** About how many numbers stand under the bar, its ends not counted. */
+const tickCount = 4;
+
+/** What the colours of a surface mean, in numbers. */
+export class Legend extends LitElement {
+  static override properties = { meaning: { attribute: false } };
+
+  static override styles = [
+    controlsStyle,
+    css`
+      :host {
+        display: block;
+        width: min(260px, 100%);
+        padding: 6px 14px 4px;
+        background: var(--veil);
+        border-radius: var(--radius);
+        font-size: var(--text-small);
+      }
+      .title {
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .bar {
+        height: 10px;
+        margin-top: 3px;
+        border-radius: 2px;
+      }
+      .ticks {
+        position: relative;
+        height: 20px;
+      }
+      .ticks span {
+        position: absolute;
+        padding-top: 4px;
+        transform: translateX(-50%);
+        white-space: nowrap;
+      }
+      .ticks span::before {
+        content: '';
+        position: absolute;
+        top: 0;
+        left: 50%;
+        height: 4px;
+        border-left: 1px solid var(--ink-soft);
+      }
+      .ends {
+        display: flex;
+        justify-content: space-between;
+      }
+      .swatch {
+        display: inline-block;
+        width: 10px;
+        height: 10px;
+        margin-right: 4px;
+        border-radius: 2px;
+      }
+    `,
+  ];
+
+  declare meaning: Meaning | null;
+
+  constructor() {
+    super();
+    this.meaning = null;
+  }
+
+  override render() {
+    if (!this.meaning) return nothing;
+    const { title, unit, map, range, share } = this.meaning;
+    const ticks = roundTicks(range, tickCount);
+    return html`
+      <div class="title">${unit && unit !== '1' ? `${title} [${unit}]` : title}</div>
+      <div class="bar" style="background:${cssGradient(map, 'to right')}"></div>
+      <div class="ticks">
+        ${ticks.map((tick) => html`<span style="left:${100 * placeIn(range, tick)}%">${valueText(tick, 6)}</span>`)}
+      </div>
+      ${share ? this.#specialColours() : this.#ends()}
+    `;
+  }
+
+  #ends() {
+    const { lowest, highest } = this.meaning?.range ?? { lowest: 0, highest: 0 };
+    return html`<div class="ends soft">
+      <span>min ${valueText(lowest, 4)}</span><span>max ${valueText(highest, 4)}</span>
+    </div>`;
+  }
+
+  #specialColours() {
+    return html`<div class="ends soft">
+      <span><span class="swatch" style="background:${cssColour(aboveBoundColour)}"></span>above 1: never</span>
+      <span><span class="swatch" style="background:${cssColour(missingColour)}"></span>no bound</span>
+    </div>`;
+  }
+}
+
+customElements.define('meshbound-legend', Legend);

@@ -1,0 +1,57 @@
+/** Groups digits as the field does: 99 980, with a space that does not break. */
+const groupSpace = '\u202f';
+const minus = '\u2212';
+
+const counts = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+
+/** "99 980" */
+export function countText(count: number): string {
+  return counts.format(count).replaceAll(',', groupSpace);
+}
+
+/** Beyond these a value is written with a power of ten. */
+const largestPlain = 1e6;
+const smallestPlain = 1e-3;
+
+/** A value with `digits` significant digits: "0.0123", "−4.5e−7", "101 300". */
+export function valueText(value: number, digits = 3): string {
+  if (value === 0) return '0';
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? '–' : value > 0 ? '∞' : `${minus}∞`;
+  const size = Math.abs(value);
+  const plain = size < largestPlain && size >= smallestPlain;
+  const notation = plain ? 'standard' : 'scientific';
+  const format = new Intl.NumberFormat('en', { notation, maximumSignificantDigits: digits, useGrouping: 'min2' });
+  return format.format(value).replaceAll(',', groupSpace).replace('E', 'e').replaceAll('-', minus);
+}
+
+/** "1.2 Pa", or "1.2" where there is no unit, or the unit is one. */
+export function withUnit(text: string, unit: string | undefined): string {
+  return unit && unit !== '1' ? `${text}\u00a0${unit}` : text;
+}
+
+/** A fraction as a percentage without its sign, rounded to three digits: "2.97". */
+export function percentNumber(fraction: number): string {
+  return Number((100 * fraction).toPrecision(3)).toString();
+}
+
+/** A fraction as a percentage: "2.97 %". */
+export function percentText(fraction: number): string {
+  return `${percentNumber(fraction)}\u00a0%`;
+}
+
+/** Significant digits of an error. */
+const errorDigits = 3;
+/** 100 × 0.03 is 3.0000000000000004 in the machine's numbers; that is not above 3. */
+const roundingSlack = 1e-9;
+
+/** An error rounded up to three digits: what is guaranteed must not be written smaller than it is. */
+export function roundedUp(error: number): number {
+  if (error === 0 || !Number.isFinite(error)) return error;
+  const step = 10 ** (Math.floor(Math.log10(error)) - errorDigits + 1);
+  return Number((Math.ceil(error / step - roundingSlack) * step).toPrecision(errorDigits));
+}
+
+/** "0.31 s", "12 s" */
+export function secondsText(seconds: number): string {
+  return `${seconds < 10 ? seconds.toFixed(2) : Math.round(seconds)}\u00a0s`;
+}

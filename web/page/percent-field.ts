@@ -1,0 +1,102 @@
+import { css, html, LitElement, nothing } from 'lit';
+import { parsePercent } from '../session/bound-setting.ts';
+import { controlsStyle } from './controls-style.ts';
+import { percentNumber } from './number-text.ts';
+
+/**
+ * A percentage to type. What cannot be a bound is refused with a reason, and the bound stays as it was.
+ *
+ * @fires bound-input with the typed fraction
+ */
+export class PercentField extends LitElement {
+  static override properties = {
+    fraction: { type: Number },
+    label: {},
+    disabled: { type: Boolean },
+    fault: { state: true },
+  };
+
+  static override styles = [
+    controlsStyle,
+    css`
+      :host {
+        display: inline-block;
+        position: relative;
+      }
+      input {
+        width: 58px;
+        text-align: right;
+      }
+      input[aria-invalid='true'] {
+        border-color: var(--fault);
+        outline-color: var(--fault);
+      }
+      p {
+        position: absolute;
+        z-index: 2;
+        top: calc(100% + 4px);
+        left: 0;
+        width: max-content;
+        max-width: 240px;
+        padding: 4px 8px;
+        color: var(--fault);
+        background: var(--fault-soft);
+        border: 1px solid var(--fault);
+        border-radius: var(--radius);
+        font-size: var(--text-small);
+      }
+    `,
+  ];
+
+  declare fraction: number;
+  declare label: string;
+  declare disabled: boolean;
+  /** Why the last entry was refused. */
+  declare fault: string;
+
+  constructor() {
+    super();
+    this.fraction = 0;
+    this.label = '';
+    this.disabled = false;
+    this.fault = '';
+  }
+
+  override willUpdate(changed: Map<string, unknown>): void {
+    if (changed.has('fraction')) this.fault = '';
+  }
+
+  override render() {
+    return html`<input
+        type="text"
+        inputmode="decimal"
+        autocomplete="off"
+        aria-label=${this.label}
+        aria-invalid=${this.fault ? 'true' : 'false'}
+        aria-describedby="fault"
+        .value=${percentNumber(this.fraction)}
+        ?disabled=${this.disabled}
+        @change=${this.#change}
+        @keydown=${this.#keydown}
+      />&#8239;%${this.fault ? html`<p id="fault" role="alert">${this.fault}</p>` : nothing}`;
+  }
+
+  #change({ target }: Event): void {
+    const parsed = parsePercent((target as HTMLInputElement).value);
+    if ('fault' in parsed) {
+      this.fault = parsed.fault;
+      return;
+    }
+    this.fault = '';
+    this.dispatchEvent(new CustomEvent('bound-input', { detail: parsed.fraction }));
+  }
+
+  /** Escape goes back to the bound that holds. */
+  #keydown(event: KeyboardEvent): void {
+    if (event.key !== 'Escape') return;
+    this.fault = '';
+    (event.target as HTMLInputElement).value = percentNumber(this.fraction);
+  }
+}
+
+customElements.define('meshbound-percent-field', PercentField);

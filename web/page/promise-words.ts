@@ -1,0 +1,76 @@
+import type { Report, VariableReport } from '../../wasm/types.ts';
+import { countText, percentText, roundedUp } from './number-text.ts';
+
+/** What a relative bound of a variable is a fraction of, in its unit. */
+export function wholeOf({
+  constant,
+  extent,
+  magnitude,
+}: {
+  constant: boolean;
+  extent: number;
+  magnitude: number;
+}): number {
+  return constant ? magnitude : extent;
+}
+
+export function isFree({ bound }: VariableReport): boolean {
+  return !Number.isFinite(bound);
+}
+
+/**
+ * The result as the promise states it: "806 of 99 980 triangles. Every point within 1 % in space, 3 % in pressure: proved;
+ * most used: pressure, 2.97 %." Claims nothing of a variable without a bound.
+ */
+export function promiseSentence({ triangles, variables }: Report): string {
+  const counted = `${countText(triangles.after)} of ${countText(triangles.before)} triangles.`;
+  const bounded = variables.filter((variable) => !isFree(variable));
+  const free = variables.filter(isFree).map(placeName);
+  const freed = free.length > 0 ? ` Free, so nothing promised: ${listed(free)}.` : '';
+  if (bounded.length === 0) return `${counted}${freed}`;
+  return `${counted} Every point within ${boundsPhrase(bounded)}: proved; ${mostUsed(bounded)}.${freed}`;
+}
+
+/** "1 % in space, 3 % in pressure and density": variables with the same bound stand together, in their order. */
+function boundsPhrase(bounded: VariableReport[]): string {
+  const together = new Map<string, string[]>();
+  for (const variable of bounded) {
+    const bound = percentText(variable.bound / wholeOf(variable));
+    together.set(bound, [...(together.get(bound) ?? []), placeName(variable)]);
+  }
+  return [...together].map(([bound, names]) => `${bound} in ${listed(names)}`).join(', ');
+}
+
+function mostUsed(bounded: VariableReport[]): string {
+  const most = bounded.reduce((best, next) => (next.ratio > best.ratio ? next : best));
+  if (most.ratio === 0) return 'no error at all';
+  return `most used: ${placeName(most)}, ${percentText(roundedUp(most.error / wholeOf(most)))}`;
+}
+
+/** Why vertices that are still there could not go, as shares of them all: "Held back by pressure 61 %, folds 22 %." */
+export function heldBackSentence({ variables, refused }: Report): string {
+  const reasons: [string, number][] = [
+    ...variables.map((variable): [string, number] => [placeName(variable), variable.refused]),
+    ['folds', refused.fold],
+    ['topology', refused.topology],
+    ['fixed vertices', refused.fixed],
+  ];
+  const counted = reasons.filter(([, count]) => count > 0).sort(([, a], [, b]) => b - a);
+  const all = counted.reduce((sum, [, count]) => sum + count, 0);
+  if (all === 0) return '';
+  const shares = counted.map(([reason, count]) => `${reason} ${shareText(count / all)}`);
+  return `Held back by ${shares.join(', ')}.`;
+}
+
+function shareText(share: number): string {
+  return share < 0.01 ? '<\u00a01\u00a0%' : `${Math.round(100 * share)}\u00a0%`;
+}
+
+function placeName({ name }: { name: string }): string {
+  return name === 'position' ? 'space' : name;
+}
+
+/** "a", "a and b", "a, b and c" */
+function listed(names: string[]): string {
+  return names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`;
+}

@@ -1,0 +1,233 @@
+import { css, html, LitElement, nothing } from 'lit';
+import { createRef, ref } from 'lit/directives/ref.js';
+import type { Mesh, Reduction } from '../../wasm/types.ts';
+import { aboveBoundColour, type Colour, colourTable, missingColour } from '../colour/colormaps.ts';
+import type { OpenSurface } from '../session/session.ts';
+import { type Frame, frameOf } from '../viewer/frame.ts';
+import type { ShownColour } from '../viewer/lookup-material.ts';
+import { SurfacePreparer } from '../viewer/prepare.ts';
+import { Viewer } from '../viewer/viewer.ts';
+import { type Colouring, errorColouring, type Meaning, valueColouring } from './colouring.ts';
+import { controlsStyle } from './controls-style.ts';
+import './legend.ts';
+import { countText } from './number-text.ts';
+import { firstView, type ViewSettings } from './view-settings.ts';
+
+const sides = ['original', 'reduced'] as const;
+const original = 0;
+const reduced = 1;
+
+/**
+ * The original and the reduced surface side by side, with their legends. A side shows its last surface until the next is
+ * ready to draw.
+ *
+ * @fires stage-fault with a message where nothing can be drawn
+ */
+export class Stage extends LitElement {
+  static override properties = {
+    surface: { attribute: false },
+    result: { attribute: false },
+    settings: { attribute: false },
+    progress: { type: Number },
+    meanings: { state: true },
+  };
+
+  static override styles = [
+    controlsStyle,
+    css`
+      :host {
+        display: block;
+        position: relative;
+        container-type: size;
+        background: var(--stage);
+        overflow: hidden;
+      }
+      canvas {
+        position: absolute;
+        width: 100%;
+        height: 100%;
+      }
+      .panes {
+        position: absolute;
+        inset: 0;
+        display: grid;
+        grid-template-columns: 1fr 1fr;
+        gap: 1px;
+      }
+      @container (max-aspect-ratio: 1/1) {
+        .panes {
+          grid-template: 1fr 1fr / none;
+        }
+      }
+      .pane {
+        display: flex;
+        flex-direction: column;
+        justify-content: space-between;
+        min-width: 0;
+        min-height: 0;
+        padding: 10px;
+        outline-offset: -2px;
+        cursor: grab;
+      }
+      .pane:active {
+        cursor: grabbing;
+      }
+      .pane + .pane {
+        box-shadow: -1px 0 var(--line), 0 -1px var(--line);
+      }
+      .pane > * {
+        pointer-events: none;
+      }
+      .caption {
+        align-self: start;
+        max-width: 100%;
+        padding: 2px 8px;
+        background: var(--veil);
+        border-radius: var(--radius);
+      }
+      .caption b {
+        font-weight: 600;
+      }
+    `,
+  ];
+
+  declare surface: OpenSurface | null;
+  declare result: Reduction | null;
+  declare settings: ViewSettings;
+  /** Of the running reduction, 0…1; null where none runs. */
+  declare progress: number | null;
+  /** What the colours of each side mean. */
+  declare meanings: (Meaning | null)[];
+
+  #canvas = createRef<HTMLCanvasElement>();
+  #viewer: Viewer | null = null;
+  #preparer = new SurfacePreparer();
+  #frame: Frame = { centre: [0, 0, 0], radius: 1 };
+  /** What each side has drawn, and what it was last asked to draw. */
+  #drawn: (Mesh | null)[] = [null, null];
+  #wanted: (Mesh | null)[] = [null, null];
+
+  constructor() {
+    super();
+    this.surface = null;
+    this.result = null;
+    this.settings = firstView;
+    this.progress = null;
+    this.meanings = [null, null];
+  }
+
+  override render() {
+    return html`
+      <canvas ${ref(this.#canvas)} aria-hidden="true"></canvas>
+      <div class="panes">${sides.map((_, side) => this.#pane(side))}</div>
+    `;
+  }
+
+  #pane(side: number) {
+    const keys = 'Arrow keys turn, with Shift they move, plus and minus zoom, 0 fits.';
+    return html`<div
+      class="pane"
+      id=${sides[side]}
+      tabindex="0"
+      role="application"
+      aria-label="${sides[side]} surface. ${keys}"
+      @keydown=${(event: KeyboardEvent) => this.#pressKey(side, event)}
+    >
+      <div class="caption">${side === original ? this.#originalCaption() : this.#reducedCaption()}</div>
+      ${this.meanings[side] ? html`<meshbound-legend .meaning=${this.meanings[side]}></meshbound-legend>` : nothing}
+    </div>`;
+  }
+
+  #originalCaption() {
+    if (!this.surface) return html`<span class="soft">Original</span>`;
+    const count = this.surface.mesh.triangles.length / 3;
+    return html`Original <b>${countText(count)}</b> triangles`;
+  }
+
+  #reducedCaption() {
+    if (!this.result) return html`<span class="soft">${this.surface ? 'Reducing…' : 'Reduced'}</span>`;
+    return html`Reduced <b>${countText(this.result.report.triangles.after)}</b> triangles`;
+  }
+
+  override firstUpdated(): void {
+    const panes = [...this.renderRoot.querySelectorAll<HTMLElement>('.pane')];
+    try {
+      this.#viewer = new Viewer(this.#canvas.value!, panes);
+    } catch {
+      const detail = 'Nothing can be drawn: this browser offers no WebGL 2. Reducing and saving still work.';
+      this.dispatchEvent(new CustomEvent('stage-fault', { detail }));
+    }
+  }
+
+  override updated(changed: Map<string, unknown>): void {
+    if (changed.has('surface')) this.#showOriginal();
+    if (changed.has('surface') || changed.has('result')) void this.#show(reduced, this.result?.mesh ?? null);
+    if (changed.has('settings')) this.#applySettings();
+  }
+
+  fit(): void {
+    this.#viewer?.cameras.fit();
+  }
+
+  #showOriginal(): void {
+    if (this.surface) this.#frame = frameOf(this.surface.mesh.position);
+    this.fit();
+    void this.#show(original, this.surface?.mesh ?? null);
+  }
+
+  async #show(side: number, mesh: Mesh | null): Promise<void> {
+    this.#wanted[side] = mesh;
+    const arrays = mesh && (await this.#preparer.prepare(mesh, this.#frame));
+    if (!this.#viewer || this.#wanted[side] !== mesh) return;
+    this.#drawn[side] = mesh;
+    const colouring = this.#colouring(side);
+    this.#viewer.surfaces[side].draw(arrays, colouring?.places ?? new Float32Array());
+    this.#explain(side, colouring);
+  }
+
+  #applySettings(): void {
+    if (!this.#viewer) return;
+    this.#viewer.cameras.linked = this.settings.linked;
+    sides.forEach((_, side) => {
+      const surface = this.#viewer!.surfaces[side];
+      surface.edges = this.settings.edges;
+      const colouring = this.#colouring(side);
+      if (colouring) surface.recolour(colouring.places);
+      this.#explain(side, colouring);
+    });
+  }
+
+  #colouring(side: number): Colouring | null {
+    const mesh = this.#drawn[side];
+    if (!mesh || !this.surface) return null;
+    const { errorOf } = this.settings;
+    if (side === reduced && this.result?.mesh === mesh && errorOf !== null) return errorColouring(this.result, errorOf);
+    return valueColouring(mesh, this.surface, this.settings);
+  }
+
+  /** Makes map and legend of a side those of its colouring. */
+  #explain(side: number, colouring: Colouring | null): void {
+    const meaning = colouring?.meaning ?? null;
+    this.meanings = this.meanings.map((old, index) => (index === side ? meaning : old));
+    if (meaning) {
+      this.#viewer!.surfaces[side].lookup = {
+        table: colourTable(meaning.map),
+        markAbove: meaning.share,
+        above: shown(aboveBoundColour),
+        missing: shown(missingColour),
+      };
+    }
+    this.#viewer!.requestDraw();
+  }
+
+  #pressKey(side: number, event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (this.#viewer?.cameras.pressKey(side, event.key, event.shiftKey)) event.preventDefault();
+  }
+}
+
+function shown([red, green, blue]: Colour): ShownColour {
+  return [red / 255, green / 255, blue / 255];
+}
+
+customElements.define('meshbound-stage', Stage);

@@ -1,0 +1,197 @@
+import { css, html, LitElement } from 'lit';
+import { live } from 'lit/directives/live.js';
+import { type ValueColormap, valueColormaps } from '../colour/colormaps.ts';
+import { componentsOf } from '../colour/field.ts';
+import type { BoundSettings } from '../session/bound-setting.ts';
+import type { Sample } from '../session/services.ts';
+import type { OpenSurface } from '../session/session.ts';
+import { controlsStyle } from './controls-style.ts';
+import { firstView, type ViewSettings } from './view-settings.ts';
+
+/**
+ * File, sample, colours and view.
+ *
+ * @fires open-file with a File
+ * @fires open-sample with a Sample
+ * @fires view-change with the new ViewSettings
+ * @fires fit
+ */
+export class Toolbar extends LitElement {
+  static override properties = {
+    samples: { attribute: false },
+    sample: {},
+    surface: { attribute: false },
+    bounds: { attribute: false },
+    settings: { attribute: false },
+  };
+
+  static override styles = [
+    controlsStyle,
+    css`
+      :host {
+        display: flex;
+        flex-wrap: wrap;
+        gap: var(--gap) 16px;
+        align-items: center;
+        padding: 8px 16px;
+      }
+      h1 {
+        font-weight: 650;
+      }
+      .group {
+        display: flex;
+        flex-wrap: wrap;
+        gap: var(--gap);
+        align-items: center;
+      }
+      .view {
+        margin-left: auto;
+      }
+      label {
+        display: inline-flex;
+        gap: 6px;
+        align-items: center;
+        white-space: nowrap;
+      }
+      select {
+        max-width: 180px;
+        text-overflow: ellipsis;
+      }
+      @media (max-width: 800px) {
+        .view {
+          margin-left: 0;
+        }
+      }
+    `,
+  ];
+
+  declare samples: readonly Sample[];
+  /** Name of the sample that is open; empty where a file is. */
+  declare sample: string;
+  declare surface: OpenSurface | null;
+  declare bounds: BoundSettings;
+  declare settings: ViewSettings;
+
+  constructor() {
+    super();
+    this.samples = [];
+    this.sample = '';
+    this.surface = null;
+    this.bounds = {};
+    this.settings = firstView;
+  }
+
+  override render() {
+    return html`
+      <h1>Meshbound</h1>
+      <div class="group">${this.#fileControls()}</div>
+      <div class="group">${this.#colourControls()}</div>
+      <div class="group view">${this.#viewControls()}</div>
+    `;
+  }
+
+  #fileControls() {
+    return html`
+      <button @click=${this.#browse}>Open…</button>
+      <input type="file" hidden accept=".ply,.vtp" @change=${this.#openFile} />
+      <label>
+        <span class="soft">Sample</span>
+        <select .value=${live(this.sample)} @change=${this.#openSample}>
+          <option value="" disabled ?selected=${this.sample === ''}>choose…</option>
+          ${this.samples.map(
+            ({ name, title }) => html`<option value=${name} ?selected=${name === this.sample}>${title}</option>`,
+          )}
+        </select>
+      </label>
+    `;
+  }
+
+  #colourControls() {
+    const { map, errorOf } = this.settings;
+    return html`
+      <label><span class="soft">Colour</span>${this.#variableChoice()}</label>
+      <label>
+        <span class="soft">Map</span>
+        <select @change=${(event: Event) => this.#change({ map: chosen(event) as ValueColormap })}>
+          ${valueColormaps.map((name) => html`<option ?selected=${name === map}>${name}</option>`)}
+        </select>
+      </label>
+      <label>
+        <span class="soft">Reduced side</span>
+        <select
+          @change=${(event: Event) => this.#change({ errorOf: chosen(event) === '' ? null : chosen(event) })}
+        >
+          <option value="" ?selected=${errorOf === null}>values</option>
+          <optgroup label="error / bound of">
+            ${this.surface?.variables.map(
+              ({ name }) =>
+                html`<option value=${name} ?selected=${name === errorOf} ?disabled=${this.bounds[name]?.free}>
+                  ${name}
+                </option>`,
+            )}
+          </optgroup>
+        </select>
+      </label>
+    `;
+  }
+
+  #variableChoice() {
+    const names = this.surface?.labels.componentNames ?? {};
+    const choices = (this.surface?.variables ?? []).flatMap(({ name, components }) =>
+      componentsOf(components, names[name]).map(({ component, label }) => ({
+        choice: { variable: name, component },
+        selected: name === this.settings.variable && component === this.settings.component,
+        text: components === 1 ? name : `${name}, ${label}`,
+      })),
+    );
+    return html`<select @change=${(event: Event) => this.#change(choices[Number(chosen(event))].choice)}>
+      ${choices.map(({ selected, text }, index) => html`<option value=${index} ?selected=${selected}>${text}</option>`)}
+    </select>`;
+  }
+
+  #viewControls() {
+    const { edges, linked } = this.settings;
+    return html`
+      <label>
+        <input type="checkbox" .checked=${edges} @change=${(event: Event) => this.#change({ edges: ticked(event) })} />
+        Edges
+      </label>
+      <label>
+        <input type="checkbox" .checked=${linked} @change=${(event: Event) => this.#change({ linked: ticked(event) })} />
+        One camera
+      </label>
+      <button @click=${() => this.dispatchEvent(new CustomEvent('fit'))}>Fit</button>
+    `;
+  }
+
+  #browse(): void {
+    this.renderRoot.querySelector<HTMLInputElement>('input[type=file]')!.click();
+  }
+
+  #openFile({ target }: Event): void {
+    const input = target as HTMLInputElement;
+    const file = input.files?.[0];
+    // Emptied, so that choosing the same file again is a change.
+    input.value = '';
+    if (file) this.dispatchEvent(new CustomEvent('open-file', { detail: file }));
+  }
+
+  #openSample(event: Event): void {
+    const sample = this.samples.find(({ name }) => name === chosen(event));
+    if (sample) this.dispatchEvent(new CustomEvent('open-sample', { detail: sample }));
+  }
+
+  #change(change: Partial<ViewSettings>): void {
+    this.dispatchEvent(new CustomEvent('view-change', { detail: { ...this.settings, ...change } }));
+  }
+}
+
+function chosen({ target }: Event): string {
+  return (target as HTMLSelectElement).value;
+}
+
+function ticked({ target }: Event): boolean {
+  return (target as HTMLInputElement).checked;
+}
+
+customElements.define('meshbound-toolbar', Toolbar);

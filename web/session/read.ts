@@ -1,0 +1,27 @@
+import type { Mesh } from '../../wasm/types.ts';
+import type { Labels } from '../formats/surface.ts';
+
+/** What a file holds. */
+export interface OpenedFile {
+  mesh: Mesh;
+  /** What the reader did to the file that its owner should know. */
+  notes: string[];
+  labels: Labels;
+}
+
+export type ReadAnswer = { file: OpenedFile } | { message: string };
+
+/**
+ * Reads a surface in a worker of its own, which the bytes are handed over to. The worker ends with the file: parsing
+ * leaves several times the file's size behind, and a broken file may leave anything.
+ */
+export function readInWorker(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<OpenedFile> {
+  const worker = new Worker(new URL('./read.worker.ts', import.meta.url), { type: 'module' });
+  const answer = new Promise<OpenedFile>((resolve, reject) => {
+    worker.onmessage = ({ data }: MessageEvent<ReadAnswer>) =>
+      'file' in data ? resolve(data.file) : reject(new Error(data.message));
+    worker.onerror = ({ message }) => reject(new Error(message || 'The reader could not be started.'));
+  });
+  worker.postMessage({ name, bytes }, [bytes.buffer]);
+  return answer.finally(() => worker.terminate());
+}

@@ -1,0 +1,168 @@
+import type { Inspection, Mesh, Reduction, VariableExtent } from '../../wasm/index.ts';
+import type { Labels } from '../formats/surface.ts';
+import { asBounds, type BoundSetting, type BoundSettings, defaultBounds, moveAll } from './bound-setting.ts';
+import { messageOf, nonFiniteVariable } from './failure.ts';
+import { Latest, superseded } from './latest.ts';
+import { oddityNotes } from './oddity-notes.ts';
+import type { OpenedFile } from './read.ts';
+import type { Sample, Services } from './services.ts';
+
+/** A surface that passed validation. */
+export interface OpenSurface {
+  name: string;
+  mesh: Mesh;
+  /** Units and names of components, where the file states them. */
+  labels: Labels;
+  /** Position first, then the mesh's variables in their order. */
+  variables: VariableExtent[];
+}
+
+/** Something to tell the user, until dismissed. */
+export interface Notice {
+  id: number;
+  kind: 'error' | 'note';
+  text: string;
+  /** A way out that the user may take. */
+  remedy?: { label: string; take: () => void };
+}
+
+/** Never changed in place: a change replaces it. */
+export interface SessionState {
+  /** The file that is being read. */
+  opening: string | null;
+  surface: OpenSurface | null;
+  bounds: BoundSettings;
+  /** Of the running reduction, 0…1; null where none runs. */
+  progress: number | null;
+  /** The last good reduction of this surface. */
+  result: Reduction | null;
+  notices: readonly Notice[];
+}
+
+/** A slider that is being dragged sends many changes; a reduction starts when it rests this long, in milliseconds. */
+const restBeforeRun = 60;
+
+/**
+ * What is open, what is asked of it and what came of it. Emits `change` whenever its state changes. A fault leaves the
+ * last good state as it was and adds a notice.
+ */
+export class Session extends EventTarget {
+  #services: Services;
+  #opening = new Latest();
+  #reducing = new Latest();
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #lastNotice = 0;
+  #state: SessionState = { opening: null, surface: null, bounds: {}, progress: null, result: null, notices: [] };
+
+  constructor(services: Services) {
+    super();
+    this.#services = services;
+  }
+
+  get state(): SessionState {
+    return this.#state;
+  }
+
+  openFile(file: File): Promise<void> {
+    return this.#open(file.name, async () => this.#services.read(file.name, new Uint8Array(await file.arrayBuffer())));
+  }
+
+  openSample({ title, url }: Sample): Promise<void> {
+    return this.#open(title, async () => this.#services.read(url, await this.#services.fetchBytes(url)));
+  }
+
+  setBound(variable: string, setting: BoundSetting): void {
+    this.#setBounds({ ...this.#state.bounds, [variable]: setting });
+  }
+
+  /** Multiplies all bounds so that the largest becomes `fraction`. */
+  setAllBounds(fraction: number): void {
+    this.#setBounds(moveAll(this.#state.bounds, fraction));
+  }
+
+  report(error: unknown): void {
+    this.#notify({ kind: 'error', text: messageOf(error) });
+  }
+
+  dismiss(id: number): void {
+    this.#update({ notices: this.#state.notices.filter((notice) => notice.id !== id) });
+  }
+
+  async #open(name: string, load: () => Promise<OpenedFile>): Promise<void> {
+    this.#update({ opening: name, notices: [] });
+    let file: OpenedFile | undefined;
+    try {
+      const inspected = await this.#opening.run(async () => {
+        file = await load();
+        return { file, inspection: await this.#services.inspect(file.mesh) };
+      });
+      if (inspected !== superseded) this.#adopt(name, inspected.file, inspected.inspection);
+    } catch (error) {
+      this.#update({ opening: null });
+      this.#refuse(name, file, error);
+    }
+  }
+
+  #adopt(name: string, { mesh, labels, notes }: OpenedFile, { variables, oddities }: Inspection): void {
+    this.#reducing.abort();
+    const surface = { name, mesh, labels, variables };
+    const bounds = defaultBounds(variables.map((variable) => variable.name));
+    this.#update({ opening: null, surface, bounds, progress: 0, result: null });
+    for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
+    void this.#reduce();
+  }
+
+  /** Says why a file was not opened. A variable that holds no numbers need not stop the rest: leaving it out is offered. */
+  #refuse(name: string, file: OpenedFile | undefined, error: unknown): void {
+    const text = `${name}: ${messageOf(error)}`;
+    const variable = nonFiniteVariable(error);
+    if (!file || variable === undefined) {
+      this.#notify({ kind: 'error', text });
+      return;
+    }
+    const take = () => void this.#open(name, async () => withoutVariable(file, variable));
+    this.#notify({ kind: 'error', text, remedy: { label: `Leave out “${variable}”`, take } });
+  }
+
+  #setBounds(bounds: BoundSettings): void {
+    if (!this.#state.surface) return;
+    this.#reducing.abort();
+    this.#update({ bounds, progress: 0 });
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => void this.#reduce(), restBeforeRun);
+  }
+
+  /** From the original, so that the result does not depend on which way the sliders took. */
+  async #reduce(): Promise<void> {
+    clearTimeout(this.#timer);
+    const { surface, bounds } = this.#state;
+    if (!surface) return;
+    try {
+      const result = await this.#reducing.run((signal) => {
+        const onProgress = (progress: number) => {
+          if (!signal.aborted) this.#update({ progress });
+        };
+        return this.#services.reduce(surface.mesh, { bounds: asBounds(bounds), signal, onProgress });
+      });
+      if (result !== superseded) this.#update({ result, progress: null });
+    } catch (error) {
+      this.#update({ progress: null });
+      this.report(error);
+    }
+  }
+
+  #update(change: Partial<SessionState>): void {
+    this.#state = { ...this.#state, ...change };
+    this.dispatchEvent(new Event('change'));
+  }
+
+  #notify(notice: Omit<Notice, 'id'>): void {
+    this.#update({ notices: [...this.#state.notices, { ...notice, id: ++this.#lastNotice }] });
+  }
+}
+
+function withoutVariable(file: OpenedFile, variable: string): OpenedFile {
+  const variables = file.mesh.variables.filter(({ name }) => name !== variable);
+  const notes = [...file.notes, `The variable “${variable}” was left out.`];
+  return { ...file, notes, mesh: { ...file.mesh, variables } };
+}

@@ -1,0 +1,105 @@
+import { DoubleSide, GLSL3, RawShaderMaterial, type Texture } from 'three';
+
+/** A colour as it is shown on screen, each part 0…1. */
+export type ShownColour = readonly [red: number, green: number, blue: number];
+
+const vertexShader = /* glsl */ `
+in vec3 position;
+in vec3 normal;
+in float place;
+
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform mat3 normalMatrix;
+
+out vec3 seenFrom;
+out vec3 smoothNormal;
+out vec3 corner;
+out float shownPlace;
+
+void main() {
+  vec4 inView = modelViewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * inView;
+  seenFrom = inView.xyz;
+  smoothNormal = normalMatrix * normal;
+  // No vertex is shared between triangles, so its number says which corner of the triangle it is.
+  int which = gl_VertexID % 3;
+  corner = vec3(which == 0, which == 1, which == 2);
+  shownPlace = place;
+}
+`;
+
+/** Light falls from beside the viewer; it only scales a colour, so that hue and order of the map survive. */
+const fragmentShader = /* glsl */ `
+precision highp float;
+
+uniform sampler2D map;
+uniform vec3 aboveColour;
+uniform vec3 missingColour;
+uniform bool markAbove;
+uniform bool edges;
+
+in vec3 seenFrom;
+in vec3 smoothNormal;
+in vec3 corner;
+in float shownPlace;
+
+out vec4 colour;
+
+const vec3 lightFrom = normalize(vec3(0.35, 0.45, 1.0));
+const float darkest = 0.5;
+
+vec3 lookUp(float place) {
+  if (place < 0.0) return missingColour;
+  if (markAbove && place > 1.0) return aboveColour;
+  // The ends of the map are the centres of the first and the last texel.
+  float texels = float(textureSize(map, 0).x);
+  return texture(map, vec2((clamp(place, 0.0, 1.0) * (texels - 1.0) + 0.5) / texels, 0.5)).rgb;
+}
+
+float light() {
+  vec3 normal = edges || dot(smoothNormal, smoothNormal) == 0.0
+    ? normalize(cross(dFdx(seenFrom), dFdy(seenFrom)))
+    : normalize(gl_FrontFacing ? smoothNormal : -smoothNormal);
+  return mix(darkest, 1.0, max(dot(normal, lightFrom), 0.0));
+}
+
+/** How much of this fragment an edge covers; edges of triangles of few pixels fade, or they would cover everything. */
+float edgeCover() {
+  vec3 perPixel = fwidth(corner);
+  vec3 pixels = corner / max(perPixel, vec3(1e-9));
+  float nearest = min(min(pixels.x, pixels.y), pixels.z);
+  float narrowness = max(max(perPixel.x, perPixel.y), perPixel.z);
+  return (1.0 - smoothstep(0.4, 1.4, nearest)) * (1.0 - smoothstep(0.15, 0.6, narrowness));
+}
+
+void main() {
+  vec3 lit = lookUp(shownPlace) * light();
+  if (edges) lit *= 1.0 - 0.7 * edgeCover();
+  colour = vec4(lit, 1.0);
+}
+`;
+
+/** What every surface of a viewer has in common: look-up table, special colours, edges. */
+export interface LookupUniforms {
+  map: { value: Texture | null };
+  aboveColour: { value: ShownColour };
+  missingColour: { value: ShownColour };
+  /** Whether places above 1 get `aboveColour` (error / bound) or the end of the map (values). */
+  markAbove: { value: boolean };
+  edges: { value: boolean };
+}
+
+/**
+ * Draws triangles whose attribute `place` says where in the map each corner stands, 0…1; negative where there is
+ * nothing to show. The place is interpolated and the colour looked up for every fragment: blending the colours of the vertices would show colours that are not in the map.
+ */
+export function lookupMaterial(uniforms: LookupUniforms): RawShaderMaterial {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader,
+    fragmentShader,
+    side: DoubleSide,
+    uniforms: uniforms as unknown as RawShaderMaterial['uniforms'],
+  });
+}

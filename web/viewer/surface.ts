@@ -1,0 +1,88 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DataTexture,
+  LinearFilter,
+  Mesh,
+  type RawShaderMaterial,
+  RGBAFormat,
+  Scene,
+  Sphere,
+  Vector3,
+} from 'three';
+import { type LookupUniforms, lookupMaterial, type ShownColour } from './lookup-material.ts';
+import type { SurfaceArrays } from './surface-arrays.ts';
+
+/** How places become colours. */
+export interface Lookup {
+  /** Colours from place 0 to place 1: red, green, blue, alpha bytes of each. */
+  table: Uint8Array;
+  /** Whether a place above 1 is a fault to be shown, or the end of the map. */
+  markAbove: boolean;
+  above: ShownColour;
+  missing: ShownColour;
+}
+
+/** One surface in a scene of its own, with the memory that it holds on the graphics card. */
+export class Surface {
+  readonly scene = new Scene();
+  #uniforms: LookupUniforms = {
+    map: { value: null },
+    aboveColour: { value: [1, 0, 1] },
+    missingColour: { value: [0.5, 0.5, 0.5] },
+    markAbove: { value: false },
+    edges: { value: false },
+  };
+  #material: RawShaderMaterial = lookupMaterial(this.#uniforms);
+  #mesh: Mesh<BufferGeometry, RawShaderMaterial> | null = null;
+
+  /** Replaces what is drawn; nothing where `arrays` is null. `places` has one number a corner. */
+  draw(arrays: SurfaceArrays | null, places: Float32Array): void {
+    this.#remove();
+    if (!arrays) return;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(arrays.corners, 3));
+    geometry.setAttribute('normal', new BufferAttribute(arrays.normals, 3));
+    geometry.setAttribute('place', new BufferAttribute(places, 1));
+    geometry.boundingSphere = new Sphere(new Vector3(), 1);
+    this.#mesh = new Mesh(geometry, this.#material);
+    this.scene.add(this.#mesh);
+  }
+
+  /** Shows other places on the same triangles. */
+  recolour(places: Float32Array): void {
+    const attribute = this.#mesh?.geometry.getAttribute('place') as BufferAttribute | undefined;
+    if (!attribute) return;
+    attribute.array.set(places);
+    attribute.needsUpdate = true;
+  }
+
+  set lookup({ table, markAbove, above, missing }: Lookup) {
+    this.#uniforms.map.value?.dispose();
+    const texture = new DataTexture(table, table.length / 4, 1, RGBAFormat);
+    texture.magFilter = LinearFilter;
+    texture.minFilter = LinearFilter;
+    texture.needsUpdate = true;
+    this.#uniforms.map.value = texture;
+    this.#uniforms.markAbove.value = markAbove;
+    this.#uniforms.aboveColour.value = above;
+    this.#uniforms.missingColour.value = missing;
+  }
+
+  set edges(shown: boolean) {
+    this.#uniforms.edges.value = shown;
+  }
+
+  dispose(): void {
+    this.#remove();
+    this.#material.dispose();
+    this.#uniforms.map.value?.dispose();
+  }
+
+  #remove(): void {
+    if (!this.#mesh) return;
+    this.scene.remove(this.#mesh);
+    this.#mesh.geometry.dispose();
+    this.#mesh = null;
+  }
+}
