@@ -1,11 +1,21 @@
-import createCore, { type Core } from '../build/wasm/meshbound.mjs';
+import createModule from '../build/wasm/meshbound.mjs';
+import type { Inspection } from './inspection.ts';
+import type { CoreOptions, Outcome } from './messages.ts';
+import type { Mesh, Reduction } from './types.ts';
+
+/** The functions of wasm/bindings.cpp. They block until they are done. */
+export interface Core {
+  /** Calls `goOn` every few milliseconds with the progress; `false` cancels. */
+  reduce(mesh: Mesh, options: CoreOptions, goOn: (progress: number) => boolean): Outcome<Reduction>;
+  inspect(mesh: Mesh): Outcome<Inspection>;
+}
 
 const binary = new URL('../build/wasm/meshbound.wasm', import.meta.url);
 
 /** Loads the WebAssembly module: from its address in a browser, from its file in Node, where fetch knows no files. */
 export function loadCore(): Promise<Core> {
   if (binary.protocol === 'file:') {
-    return createCore({ wasmBinary: process.getBuiltinModule('node:fs').readFileSync(binary) });
+    return createModule<Core>({ wasmBinary: process.getBuiltinModule('node:fs').readFileSync(binary) });
   }
-  return createCore({ locateFile: () => binary.href });
+  return createModule<Core>({ locateFile: () => binary.href });
 }

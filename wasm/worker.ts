@@ -1,6 +1,5 @@
-import type { Core } from '../build/wasm/meshbound.mjs';
 import { isRaised } from './cancel-flag.ts';
-import { loadCore } from './load-core.ts';
+import { type Core, loadCore } from './load-core.ts';
 import type { Answer, Outcome, Request } from './messages.ts';
 import { transferables } from './transferables.ts';
 import { type ParentPort, parentPort } from './worker-port.ts';

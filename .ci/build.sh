@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Builds the WebAssembly module, the sample surfaces and the page; each only where something changed.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+if [ ! -e build/wasm/build.ninja ]; then
+    cmake --preset wasm
+fi
+cmake --build --preset wasm
+node_modules/.bin/tsx web/samples/build.ts
+node_modules/.bin/vite build --config web/vite.config.ts --logLevel warn
