@@ -22,6 +22,9 @@ export interface ReduceOptions {
   bounds: Record<string, Bound>;
   /** How errors are accounted for. Default: the core's. */
   errors?: 'propagated' | 'tracked';
+  /** Tracked errors: choose places of vertices and crossings in the map with smaller errors. Default: the core's. */
+  choosePlaces?: boolean;
+  chooseCrossings?: boolean;
   /** What retriangulation makes small (§3.4.1). Default: the core's. */
   cost?: 'maximum' | 'introduced';
   /** Vertices that must stay. */
@@ -70,11 +73,33 @@ export interface TriangleErrors {
   highest: Float32Array;
 }
 
+/** Where the map puts the vertices of the input, and where their edges cross edges of the reduced mesh. */
+export interface SurfaceMap {
+  /** For each vertex of the input the triangle of the reduced mesh in which it lies; 4294967295 where no triangle uses it. */
+  triangle: Uint32Array;
+  /** Three barycentric coordinates for each vertex of the input. */
+  barycentric: Float64Array;
+  /** For each crossing: the two input vertices of the original edge, the two vertices of the reduced edge. */
+  crossingEdges: Uint32Array;
+  /** For each crossing: s along the original edge, t along the reduced edge. */
+  crossingPlaces: Float64Array;
+}
+
+/** The errors of one variable at the vertices of the input, in its unit. */
+export interface VertexErrors {
+  error: Float32Array;
+  /** Original minus reduced; empty for a variable with several components (position: distance along the normal). */
+  signedError: Float32Array;
+}
+
 export interface Reduction {
   mesh: Mesh;
   /** For each vertex of the reduced mesh its index in the input. */
   vertices: Uint32Array;
   /** Position first, then the mesh's variables in their order. */
   triangleErrors: TriangleErrors[];
+  /** Tracked errors only: the map, and the errors at the input's vertices (position first, then the variables). */
+  map?: SurfaceMap;
+  vertexErrors?: VertexErrors[];
   report: Report;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <new>
 
+#include "map_output.hpp"
 #include "propagation.hpp"
 #include "rows.hpp"
 #include "surface.hpp"
@@ -40,20 +41,28 @@ std::vector<char> find_candidates(const Surface& surface, const std::vector<std:
     return candidate;
 }
 
-/// The current surface as a mesh of its own: vertices in rising order of the input, triangles in the order of their slots.
-void extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduction) {
-    std::vector<std::uint32_t> renamed(surface.vertex_count(), no_index);
-    for (std::uint32_t vertex = 0; vertex < renamed.size(); ++vertex) {
+/// Indices in the reduced mesh by those in the input: vertices in rising order, triangles in the order of their slots.
+struct Renaming {
+    std::vector<std::uint32_t> vertex, triangle;
+};
+
+Renaming extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduction) {
+    Renaming renamed{std::vector<std::uint32_t>(surface.vertex_count(), no_index),
+                     std::vector<std::uint32_t>(surface.slot_count(), no_index)};
+    for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
         if (surface.kind(vertex) == VertexKind::absent) continue;
-        renamed[vertex] = static_cast<std::uint32_t>(reduction.vertices.size());
+        renamed.vertex[vertex] = static_cast<std::uint32_t>(reduction.vertices.size());
         reduction.vertices.push_back(vertex);
     }
-    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot)
-        if (surface.alive(slot))
-            reduction.mesh.triangles.push_back({renamed[surface.origin(3 * slot)], renamed[surface.origin(3 * slot + 1)],
-                                                renamed[surface.origin(3 * slot + 2)]});
+    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
+        if (!surface.alive(slot)) continue;
+        renamed.triangle[slot] = static_cast<std::uint32_t>(reduction.mesh.triangles.size());
+        const auto corner = [&](std::uint32_t i) { return renamed.vertex[surface.origin(3 * slot + i)]; };
+        reduction.mesh.triangles.push_back({corner(0), corner(1), corner(2)});
+    }
     reduction.mesh.position = gather(mesh.position, reduction.vertices);
     for (const Variable& variable : mesh.variables) reduction.mesh.variables.push_back(gather(variable, reduction.vertices));
+    return renamed;
 }
 
 /// Rounded up, so that the single-precision figure is still a bound.
@@ -131,8 +140,12 @@ Reduction run(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const 
     for (double& limit : limits) limit *= rows.limit();
     if (!sweeper.sweep(limits, ticker)) report.stopped = Stopped::cancelled;
 
-    extract_mesh(mesh, surface, reduction);
+    const Renaming renamed = extract_mesh(mesh, surface, reduction);
     extract_errors(surface, rows, *accounting, reduction);
+    if (const auto* tracking = dynamic_cast<const Tracking*>(accounting.get())) {
+        extract_map(surface, *tracking, renamed.vertex, renamed.triangle, reduction.map);
+        extract_vertex_errors(rows, reduction, reduction.vertex_errors);
+    }
     count_refusals(surface, sweeper, candidate, report);
     report.triangles_after = reduction.mesh.triangles.size();
     report.vertices_after = reduction.vertices.size();

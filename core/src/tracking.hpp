@@ -33,6 +33,11 @@ public:
     std::size_t work() const override;
     void errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const override;
 
+    /// The parts of the map, for writing it out.
+    const OriginalEdges& original_edges() const { return edges_; }
+    const Crossings& crossings() const { return crossings_; }
+    const Residents& residents() const { return residents_; }
+
 private:
     /// Where a vertex settles among the new triangles.
     struct Settlement {

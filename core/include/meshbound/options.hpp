@@ -12,14 +12,14 @@ enum class Errors {
     tracked,    ///< the map from the original surface is kept and measured against the original at every step
 };
 
-/// What the retriangulation of a hole makes small (§3.4.1). Errors are ratios to the bounds, the largest over all variables.
+/// What the retriangulation of a hole makes small (§3.4.1); with propagated errors. Errors are ratios to the bounds, the largest over all variables.
 enum class Cost {
     maximum,    ///< the largest accumulated error: keep away from the bounds
     introduced, ///< the largest error that this removal introduces
 };
 
 struct Options {
-    Errors errors = Errors::propagated;
+    Errors errors = Errors::tracked;
     Cost cost = Cost::introduced;
 
     /// The sweeps over the surface: each removes what stays within this fraction of the bounds. Rising, in (0, 1], the last

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "meshbound/bounds.hpp"
+#include "meshbound/map.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/options.hpp"
 #include "meshbound/report.hpp"
@@ -25,6 +26,8 @@ struct Reduction {
     Mesh mesh;                                  ///< the reduced mesh: all variables of the input, in their order
     std::vector<std::uint32_t> vertices;        ///< for each of its vertices the index in the input, rising
     std::vector<TriangleErrors> triangle_errors; ///< position first, then the mesh's variables in their order
+    SurfaceMap map;                              ///< tracked errors only, empty else
+    std::vector<VertexErrors> vertex_errors;     ///< tracked errors only; position first, then the mesh's variables
     Report report;
 };
 

@@ -1,0 +1,100 @@
+#include "map_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace meshbound {
+namespace {
+
+/// Barycentric coordinates in the triangle of half-edge h of the place at `share` along h.
+MapPlace place_on(std::uint32_t h, double share, const std::vector<std::uint32_t>& renamed_triangle) {
+    MapPlace place{renamed_triangle[Surface::triangle_of(h)], glm::dvec3(0)};
+    place.barycentric[static_cast<int>(h % 3)] = 1 - share;
+    place.barycentric[static_cast<int>(Surface::next(h) % 3)] = share;
+    return place;
+}
+
+void place_residents(const Surface& surface, const Residents& residents, std::uint32_t slot,
+                     const std::vector<std::uint32_t>& renamed_triangle, SurfaceMap& map) {
+    for (std::uint32_t v = residents.in_triangle(slot); v != no_index; v = residents.next(v))
+        map.places[v] = {renamed_triangle[slot], residents.barycentric(v)};
+    for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h) {
+        map.places[surface.origin(h)] = place_on(h, 0, renamed_triangle);
+        const bool canonical = surface.origin(h) < surface.target(h);
+        for (std::uint32_t v = residents.on_edge(surface.edge(h)); v != no_index; v = residents.next(v))
+            map.places[v] = place_on(h, canonical ? residents.share(v) : 1 - residents.share(v), renamed_triangle);
+    }
+}
+
+/// The ends of the current edges, by edge, in the input's vertices.
+std::vector<glm::uvec2> edge_ends(const Surface& surface) {
+    std::vector<glm::uvec2> ends(surface.edge_count(), glm::uvec2(no_index));
+    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
+        if (!surface.alive(slot)) continue;
+        for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h)
+            ends[surface.edge(h)] = {std::min(surface.origin(h), surface.target(h)),
+                                     std::max(surface.origin(h), surface.target(h))};
+    }
+    return ends;
+}
+
+} // namespace
+
+void extract_map(const Surface& surface, const Tracking& tracking, const std::vector<std::uint32_t>& renamed_vertex,
+                 const std::vector<std::uint32_t>& renamed_triangle, SurfaceMap& map) {
+    map.places.assign(surface.vertex_count(), {});
+    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot)
+        if (surface.alive(slot)) place_residents(surface, tracking.residents(), slot, renamed_triangle, map);
+    const std::vector<glm::uvec2> ends = edge_ends(surface);
+    const OriginalEdges& edges = tracking.original_edges();
+    const Crossings& crossings = tracking.crossings();
+    for (std::uint32_t edge = 0; edge < edges.size(); ++edge)
+        for (std::uint32_t id = crossings.first(edge); id != no_index; id = crossings[id].next) {
+            const Crossing& crossing = crossings[id];
+            const glm::uvec2 reduced = ends[crossing.current];
+            map.crossings.push_back({{edges.lower(edge), edges.upper(edge)},
+                                     crossing.s,
+                                     {renamed_vertex[reduced.x], renamed_vertex[reduced.y]},
+                                     crossing.t});
+        }
+}
+
+void extract_vertex_errors(const Rows& rows, const Reduction& reduction, std::vector<VertexErrors>& errors) {
+    errors.assign(rows.groups().size(), {});
+    std::vector<double> difference(static_cast<std::size_t>(rows.width()), 0.0);
+    const std::size_t vertices = reduction.map.places.size();
+    for (const RowGroup& group : rows.groups()) {
+        errors[group.variable].error.resize(vertices, 0);
+        if (group.count == 1 || group.variable == 0) errors[group.variable].signed_error.resize(vertices, 0);
+    }
+    for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
+        const MapPlace& place = reduction.map.places[vertex];
+        if (place.triangle == nowhere) continue;
+        const glm::uvec3& triangle = reduction.mesh.triangles[place.triangle];
+        const auto input = [&](int corner) { return reduction.vertices[triangle[corner]]; };
+        const glm::dvec3 w = place.barycentric;
+        for (std::size_t i = 0; i < difference.size(); ++i)
+            difference[i] = rows[vertex][i] - (w.x * rows[input(0)][i] + w.y * rows[input(1)][i] + w.z * rows[input(2)][i]);
+        const glm::dvec3 origin = rows.position(input(0));
+        const glm::dvec3 area = glm::cross(rows.position(input(1)) - origin, rows.position(input(2)) - origin);
+        const double length = glm::length(area);
+        for (const RowGroup& group : rows.groups()) {
+            const double unit = rows.unit(group);
+            double square = 0, along_normal = 0;
+            for (int i = 0; i < group.count; ++i) {
+                const double d = difference[static_cast<std::size_t>(group.first + i)];
+                square += d * d;
+                if (group.variable == 0 && length > 0) along_normal -= d * area[i] / length;
+            }
+            VertexErrors& out = errors[group.variable];
+            out.error[vertex] = static_cast<float>(std::sqrt(square) * unit);
+            if (group.variable == 0) out.signed_error[vertex] = static_cast<float>(along_normal * unit);
+            else if (group.count == 1)
+                out.signed_error[vertex] = static_cast<float>(difference[static_cast<std::size_t>(group.first)] * unit);
+        }
+    }
+}
+
+} // namespace meshbound

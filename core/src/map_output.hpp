@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meshbound/reduce.hpp"
+#include "rows.hpp"
+#include "surface.hpp"
+#include "tracking.hpp"
+
+namespace meshbound {
+
+/// Writes the tracked map out in terms of input and reduced mesh, with the errors at the input's vertices.
+/// `renamed_vertex[v]` and `renamed_triangle[slot]`: their indices in the reduced mesh.
+void extract_map(const Surface& surface, const Tracking& tracking, const std::vector<std::uint32_t>& renamed_vertex,
+                 const std::vector<std::uint32_t>& renamed_triangle, SurfaceMap& map);
+
+/// The errors of every vertex of the input at its place (reduction.map, reduction.mesh and reduction.vertices are filled).
+void extract_vertex_errors(const Rows& rows, const Reduction& reduction, std::vector<VertexErrors>& errors);
+
+} // namespace meshbound
