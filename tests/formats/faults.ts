@@ -17,6 +17,6 @@ export async function faultOf(file: string | Uint8Array): Promise<FormatError> {
 /** Expects an error with this code, whose sentence says all of `words`. */
 export async function expectFault(file: string | Uint8Array, code: FormatFault, ...words: string[]): Promise<void> {
   const { code: found, message } = await faultOf(file);
-  expect({ code: found, message }).toEqual({ code, message: expect.stringMatching(/^[A-Z].*[.?!]$/s) });
+  expect({ code: found, message }).toEqual({ code, message: expect.stringMatching(/^[A-Z“].*[.?!]$/s) });
   for (const word of words) expect(message).toContain(word);
 }

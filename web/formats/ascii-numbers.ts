@@ -81,11 +81,9 @@ export class AsciiNumbers {
 
   private anyNumber(): number {
     const start = this.at;
-    let token = '';
-    while (this.at < this.bytes.length && !isSpace(this.bytes[this.at]) && token.length < longestToken) {
-      token += String.fromCharCode(this.bytes[this.at++]);
-    }
-    const value = parseNumber(token);
+    while (this.at < this.bytes.length && !isSpace(this.bytes[this.at])) this.at++;
+    const token = new TextDecoder().decode(this.bytes.subarray(start, Math.min(this.at, start + longestToken)));
+    const value = this.at - start < longestToken ? parseNumber(token) : undefined;
     if (value !== undefined) return value;
     const message = `${quoted(token)} in ${this.place()} is not a number (byte ${grouped(start)}).`;
     throw new FormatError('bad_number', message, this.place());

@@ -1,6 +1,6 @@
 import earcut from 'earcut';
 import { FormatError } from './format-error.ts';
-import { counted, grouped } from './wording.ts';
+import { capitalised, counted, grouped } from './wording.ts';
 
 /** Polygons of any number of corners: polygon i has the corners from `ends[i - 1]` up to `ends[i]`. */
 export interface Polygons {
@@ -67,7 +67,11 @@ function forEachPolygon(ends: Uint32Array, visit: (start: number, end: number, i
 
 function fewCorners(corners: number, index: number, noun: string): FormatError {
   const where = `${noun} ${index}`;
-  return new FormatError('bad_polygon', `The ${where} has ${counted(corners, 'corner')}; it needs three.`, where);
+  return new FormatError(
+    'bad_polygon',
+    `${capitalised(where)} has ${counted(corners, 'corner')}; it needs three.`,
+    where,
+  );
 }
 
 function checkCorners(corners: Uint32Array, ends: Uint32Array, points: number, noun: string): void {
@@ -80,7 +84,7 @@ function checkCorners(corners: Uint32Array, ends: Uint32Array, points: number, n
 /** The error for a face that names a point that does not exist. */
 function badIndex(corner: number, where: string, points: number): FormatError {
   const there = `the file has ${counted(points, 'point')}${points > 0 ? ` (0 to ${grouped(points - 1)})` : ''}`;
-  return new FormatError('bad_index', `The ${where} names point ${corner}, but ${there}.`, where);
+  return new FormatError('bad_index', `${capitalised(where)} names point ${corner}, but ${there}.`, where);
 }
 
 function splitPolygon(polygon: Uint32Array, position: Position, where: string): Uint32Array {

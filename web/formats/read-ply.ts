@@ -6,7 +6,7 @@ import { declaredComponentNames, declaredUnits, groupProperties, type PlyVariabl
 import { type Polygons, triangulate, trianglesOfStrips } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
 import { noLabels, type Surface } from './surface.ts';
-import { counted, listed, quoted } from './wording.ts';
+import { capitalised, counted, listed, quoted } from './wording.ts';
 
 // Written by hand although three.js has a PLYLoader. That one converts colours between colour spaces, rounding them; has
 // no way to tell a truncated ASCII file from a whole one; drops faces of more than four corners; takes ∞ for NaN and any
@@ -136,7 +136,7 @@ function readList(property: PlyProperty, values: PlyValues, collected: Collected
     const corner = values.next(property.type);
     if (corner === endMark) collected.endPolygon();
     else if (Number.isInteger(corner) && corner >= 0 && corner < 2 ** 32) collected.addCorner(corner);
-    else throw new FormatError('bad_index', `The ${values.place()} names point ${corner}.`, values.place());
+    else throw new FormatError('bad_index', `${capitalised(values.place())} names point ${corner}.`, values.place());
   }
   collected.endPolygon();
 }

@@ -1,0 +1,74 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { FormatError } from '../../web/formats/format-error.ts';
+import { readSurface } from '../../web/formats/read.ts';
+import { writeSurface } from '../../web/formats/write.ts';
+import { fingerprint, mixedVariables, smallMesh } from './sample-mesh.ts';
+
+const fixtures = new URL('fixtures/', import.meta.url);
+const mesh = smallMesh(mixedVariables());
+const files: [name: string, bytes: Uint8Array][] = [
+  ['ASCII PLY', await writeSurface('ply', mesh, { encoding: 'ascii' })],
+  ['binary PLY', await writeSurface('ply', mesh)],
+  ['big-endian PLY', await writeSurface('ply', mesh, { encoding: 'binary_big_endian' })],
+  ['VTP', await writeSurface('vtp', mesh)],
+  ...readdirSync(fixtures)
+    .filter((name) => /\.(vtp)$/.test(name))
+    .map((name): [string, Uint8Array] => [name, new Uint8Array(readFileSync(new URL(name, fixtures)))]),
+];
+
+/** What becomes of a file: an error with a name, or a surface. Any other exception goes through and fails the test. */
+async function outcome(bytes: Uint8Array) {
+  try {
+    return await readSurface('', bytes);
+  } catch (error) {
+    if (error instanceof FormatError) return error;
+    throw error;
+  }
+}
+
+describe.each(files)('%s', (name, bytes) => {
+  it('cut anywhere is an error with a name, or still whole', async () => {
+    const whole = await outcome(bytes);
+    for (let length = 0; length < bytes.length; length++) {
+      const cut = await outcome(bytes.subarray(0, length));
+      if (cut instanceof FormatError) continue;
+      // Only white space at the end may go unnoticed; a cut inside the last number of a text is at least suspected.
+      const suspected = cut.notes.some((note) => note.includes('line break'));
+      if (suspected) expect(name).toBe('ASCII PLY');
+      else expect(fingerprint(cut.mesh)).toEqual(whole instanceof FormatError ? whole : fingerprint(whole.mesh));
+      expect(new TextDecoder().decode(bytes.subarray(length)).trim()).toMatch(suspected ? /^\d*$/ : /^$/);
+    }
+  });
+
+  it('with any bytes changed, added or gone is an error with a name, or a mesh that holds together', async () => {
+    const change = fc.record({
+      at: fc.nat(bytes.length),
+      removed: fc.oneof(fc.constantFrom(0, 1, 4), fc.nat(100)),
+      added: fc.oneof(
+        fc.uint8Array({ maxLength: 8 }),
+        fc
+          .constantFrom('-1', '4294967295', '999999999999', '1e99', 'nan', '<', '">', '&x;', '\n', ' ')
+          .map((text) => new TextEncoder().encode(text)),
+      ),
+    });
+    const property = fc.asyncProperty(fc.array(change, { minLength: 1, maxLength: 3 }), async (changes) => {
+      let changed = bytes;
+      for (const { at, removed, added } of changes) {
+        changed = Uint8Array.of(...changed.subarray(0, at), ...added, ...changed.subarray(at + removed));
+      }
+      const result = await outcome(changed);
+      if (!(result instanceof FormatError)) expectToHoldTogether(result.mesh);
+    });
+    await fc.assert(property, { numRuns: 300 });
+  });
+});
+
+function expectToHoldTogether({ position, triangles, variables }: typeof mesh): void {
+  const points = position.length / 3;
+  expect(Number.isInteger(points)).toBe(true);
+  expect(triangles.length % 3).toBe(0);
+  expect(triangles.every((corner) => corner < points)).toBe(true);
+  for (const { components, values } of variables) expect(values.length).toBe(points * components);
+}

@@ -1,0 +1,329 @@
+import { describe, expect, it } from 'vitest';
+import { readSurface } from '../../web/formats/read.ts';
+import { expectFault } from './faults.ts';
+import { faces, type PlyPart, plyFile, plyOrders, square } from './ply-file.ts';
+import { awkwardDoubles, awkwardFloats, bits, bytesOf } from './sample-mesh.ts';
+
+function withColumns(columns: Record<string, ArrayLike<number>>): PlyPart {
+  const rows = square.rows.map((row, index) => [...row, ...Object.values(columns).map((column) => column[index])]);
+  return { ...square, properties: [...square.properties, ...Object.keys(columns)], rows };
+}
+
+function variablesOf(mesh: { variables: { name: string; components: number }[] }) {
+  return mesh.variables.map(({ name, components }) => `${name} ${components}`);
+}
+
+describe.each(plyOrders)('PLY, %s', (order) => {
+  it('reads every type, integers in single precision where that is exact', async () => {
+    const columns = {
+      'char c': [-128, 127, 0, 1],
+      'uchar uc': [0, 255, 7, 8],
+      'short s': [-32768, 32767, 0, 1],
+      'ushort us': [65535, 0, 1, 2],
+      'int i': [-(2 ** 31), 2 ** 24, 0, 1],
+      'int big': [2 ** 24 + 1, 0, 0, 0],
+      'uint u': [2 ** 32 - 1, 0, 1, 2],
+      'float f': awkwardFloats,
+      'double d': awkwardDoubles,
+    };
+    const { mesh, notes } = await readSurface('', plyFile(order, [withColumns(columns), faces([0, 1, 2])]));
+    const expected = Object.entries(columns).map(([property, values]) => {
+      const [type, name] = property.split(' ');
+      const double = ['big', 'u', 'd'].includes(name) && type !== 'float';
+      return `${name} ${bits(double ? Float64Array.from(values) : Float32Array.from(values))}`;
+    });
+    expect(mesh.variables.map(({ name, values }) => `${name} ${bits(values)}`)).toEqual(expected);
+    expect(notes).toEqual([expect.stringMatching(/^Whole numbers in the file.*“c”.*“u”/)]);
+  });
+
+  it('reads positions in double, in whole numbers and of mixed types', async () => {
+    const at = async (types: string[]) => {
+      const vertex = { ...square, properties: types.map((type, axis) => `${type} ${'xyz'[axis]}`) };
+      return (await readSurface('', plyFile(order, [vertex, faces([0, 1, 2])]))).mesh.position.constructor;
+    };
+    expect(await at(['double', 'double', 'double'])).toBe(Float64Array);
+    expect(await at(['float', 'double', 'float'])).toBe(Float64Array);
+    expect(await at(['short', 'short', 'short'])).toBe(Float32Array);
+  });
+
+  it('splits polygons into triangles, says so, and keeps their orientation', async () => {
+    const pentagon: PlyPart = {
+      ...square,
+      rows: [
+        [0, 0, 0],
+        [2, 0, 0],
+        [2, 2, 0],
+        [1, 0.5, 0],
+        [0, 2, 0],
+      ],
+    };
+    const { mesh, notes } = await readSurface(
+      '',
+      plyFile(order, [pentagon, faces([0, 1, 2, 3, 4], [0, 1, 3], [4, 3, 2, 1, 0])]),
+    );
+    expect(mesh.triangles.length / 3).toBe(3 + 1 + 3);
+    expect(notes).toEqual(['2 faces with more than three corners split into triangles.']);
+    expect(Array.from(mesh.triangles.subarray(9, 12))).toEqual([0, 1, 3]);
+    const areas = Array.from({ length: 7 }, (_, face) => signedArea(mesh, face));
+    // The pentagon is concave at point 3: a fan from point 0 would cover its outside.
+    expect(areas.every((area, face) => (face < 4 ? area > 0 : area < 0))).toBe(true);
+    expect(areas.slice(0, 3).reduce((a, b) => a + b)).toBeCloseTo(2.5);
+    expect(areas.slice(4).reduce((a, b) => a + b)).toBeCloseTo(-2.5);
+  });
+
+  it('reads triangle strips', async () => {
+    const strips: PlyPart = {
+      name: 'tristrips',
+      properties: ['list int int vertex_indices'],
+      rows: [[[0, 1, 3, 2, -1, 2, 1, 0, -1]]],
+    };
+    const { mesh, notes } = await readSurface('', plyFile(order, [square, strips]));
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 3, 1, 2, 3, 2, 1, 0]);
+    expect(notes).toEqual(['2 triangle strips taken apart into triangles.']);
+  });
+
+  it('names what it does not carry', async () => {
+    const parts: PlyPart[] = [
+      {
+        ...square,
+        properties: [...square.properties, 'list uchar int ring'],
+        rows: square.rows.map((row, i) => [...row, Array(i).fill(i)]),
+      },
+      { name: 'nothing', properties: [], rows: [[], []] },
+      {
+        name: 'face',
+        properties: ['uchar red', 'list uchar uint vertex_index', 'list uchar float texcoord'],
+        rows: [[9, [0, 1, 2], [0.5, 1]]],
+      },
+      { name: 'edge', properties: ['int vertex1', 'int vertex2'], rows: [[0, 1]] },
+    ];
+    const { mesh, summary } = await readSurface('', plyFile(order, parts));
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2]);
+    for (const name of ['“ring”', '“red”', '“texcoord”', '“edge” (1 row)', '“nothing” (2 rows)'])
+      expect(summary).toContain(name);
+  });
+
+  it('reads faces that stand before the vertices', async () => {
+    const { mesh } = await readSurface('', plyFile(order, [faces([0, 1, 2, 3]), square]));
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 2, 3]);
+  });
+
+  it('says where the file ends too early', async () => {
+    const whole = plyFile(order, [square, faces([0, 1, 2], [0, 2, 3])]);
+    await expectFault(whole.subarray(0, -8), 'truncated');
+    await expectFault(plyFile(order, [faces([0, 1, 2]), square]).subarray(0, -2), 'truncated', 'vertex');
+  });
+
+  it.each([
+    ['beyond the points', [0, 1, 4], 'bad_index', 'Face 1', 'point 4', '4 points (0 to 3)'],
+    ['negative', [0, -1, 2], 'bad_index', 'Face 1', 'point -1'],
+  ] as const)('refuses an index %s', async (_, corners, code, ...words) => {
+    await expectFault(plyFile(order, [square, faces([0, 1, 2], [...corners])]), code, ...words);
+  });
+
+  it.each([0, 1, 2])('refuses a face of %i corners', async (corners) => {
+    const file = plyFile(order, [square, faces([0, 1, 2], [0, 1].slice(0, corners))]);
+    await expectFault(file, 'bad_polygon', 'Face 1', `${corners} corner`);
+  });
+
+  it('refuses lists of negative length', async () => {
+    const file = plyFile('ascii', [square]);
+    const text = `${new TextDecoder().decode(file).replace('end_header', 'element face 1\nproperty list char int vertex_index\nend_header')}-1 0 1`;
+    await expectFault(text, 'bad_polygon', 'face 0', '-1');
+  });
+
+  it('refuses files without points or triangles', async () => {
+    await expectFault(plyFile(order, [square]), 'no_triangles', '4 points');
+    await expectFault(plyFile(order, [square, faces()]), 'no_triangles');
+    await expectFault(plyFile(order, [faces([0, 1, 2])]), 'no_points', 'vertex');
+    const flat = { ...square, properties: ['float x', 'float y'], rows: [[0, 0]] };
+    await expectFault(plyFile(order, [flat, faces([0, 0, 0])]), 'no_points', 'x, y and z');
+  });
+
+  it('reads units, and passes over comments that only look like them', async () => {
+    const comments = [
+      'unit p Pa',
+      'unit position mm',
+      'unit unknown kg',
+      'unit',
+      'unit "p',
+      'variable "q" missing',
+      'variable "p"',
+      'units are SI',
+    ];
+    const lines = comments.map((comment) => `comment ${comment}`);
+    const { units, mesh } = await readSurface(
+      '',
+      plyFile(order, [withColumns({ 'float p': [1, 2, 3, 4] }), faces([0, 1, 2])], lines),
+    );
+    expect({ ...units }).toEqual({ p: 'Pa', position: 'mm' });
+    expect(variablesOf(mesh)).toEqual(['p 1']);
+  });
+});
+
+describe('PLY variables', () => {
+  const read = async (...properties: string[]) => {
+    const columns = Object.fromEntries(properties.map((property) => [`float ${property}`, [1, 2, 3, 4]]));
+    return variablesOf((await readSurface('', plyFile('ascii', [withColumns(columns), faces([0, 1, 2])]))).mesh);
+  };
+
+  it('are vectors where the names say so', async () => {
+    expect(await read('nx', 'ny', 'nz', 'red', 'green', 'blue')).toEqual(['normal 3', 'color 3']);
+    expect(await read('blue', 'alpha', 'red', 'green')).toEqual(['color 4']);
+    expect(await read('velocity_x', 'velocity_y', 'velocity_z', 't_0', 't_1')).toEqual(['velocity 3', 't 2']);
+    expect(await read('s_1', 's_0', 's_2', 's_3', 's_4', 's_5')).toEqual(['s 6']);
+  });
+
+  it('are scalars otherwise', async () => {
+    expect(await read('vx', 'vy', 'vz')).toEqual(['vx 1', 'vy 1', 'vz 1']);
+    expect(await read('v_x', 'v_y', 'w_0', 'u_1', 'u_2')).toEqual(['v_x 1', 'v_y 1', 'w_0 1', 'u_1 1', 'u_2 1']);
+    expect(await read('nx', 'ny', 'red', 'green', 'alpha')).toEqual(['nx 1', 'ny 1', 'red 1', 'green 1', 'alpha 1']);
+    expect(await read('a', 'a_x', 'a_y', 'a_z')).toEqual(['a 1', 'a_x 1', 'a_y 1', 'a_z 1']);
+  });
+
+  it('keep components in order whatever the order of the properties', async () => {
+    const columns = { 'float v_z': [3, 3, 3, 3], 'float v_x': [1, 1, 1, 1], 'float v_y': [2, 2, 2, 2] };
+    const { mesh } = await readSurface('', plyFile('binary_big_endian', [withColumns(columns), faces([0, 1, 2])]));
+    expect(Array.from(mesh.variables[0].values.subarray(0, 3))).toEqual([1, 2, 3]);
+  });
+});
+
+describe('PLY in ASCII', () => {
+  const withValue = (token: string) =>
+    `ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty double p\n` +
+    `element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 ${token}\n1 0 0 1\n0 1 0 1\n3 0 1 2\n`;
+  const valueOf = async (token: string) =>
+    (await readSurface('', bytesOf(withValue(token)))).mesh.variables[0].values[0];
+
+  it.each(['nan', '-nan', 'NaN', 'nan(ind)', '-nan(snan)', '1.#QNAN', '-1.#IND', '1.#IND00'])(
+    'reads %s as NaN',
+    async (token) => {
+      expect(await valueOf(token)).toBeNaN();
+    },
+  );
+
+  it.each(['inf', '+Inf', 'INFINITY', '1.#INF'])('reads %s as infinity', async (token) => {
+    expect(await valueOf(token)).toBe(Infinity);
+    expect(await valueOf(`-${token.replace('+', '')}`)).toBe(-Infinity);
+  });
+
+  it.each([
+    '1',
+    '-1.5',
+    '+2',
+    '.5',
+    '5.',
+    '-0',
+    '1e3',
+    '1E-300',
+    '0.1',
+    '123456789012345678',
+    '0.30000000000000004',
+    '000000000000000000001',
+    '1e400',
+  ])('reads %s as C does', async (token) => {
+    expect(await valueOf(token)).toBe(Number(token));
+  });
+
+  it.each(['abc', '0x10', '1,5', '1e', '--1', '.', '-', '1_000', '∞', '1'.repeat(2000)])(
+    'refuses %s',
+    async (token) => {
+      await expectFault(withValue(token), 'bad_number', 'vertex 0');
+    },
+  );
+
+  it('reads line breaks of every system', async () => {
+    for (const lineBreak of ['\r\n', '\r']) {
+      const { mesh } = await readSurface('', bytesOf(withValue('7').replaceAll('\n', lineBreak)));
+      expect(mesh.variables[0].values[0]).toBe(7);
+    }
+  });
+
+  it('says when the last number may have been cut', async () => {
+    const { notes } = await readSurface('', bytesOf(withValue('7').trimEnd()));
+    expect(notes).toEqual([expect.stringContaining('line break')]);
+  });
+
+  it('says when there is more than the header declares', async () => {
+    const { notes } = await readSurface('', bytesOf(`${withValue('7')}3 0 1 2\n`));
+    expect(notes).toEqual([expect.stringMatching(/8 bytes after the last element/)]);
+  });
+});
+
+describe('a PLY header', () => {
+  const body = '\nend_header\n0 0 0\n';
+  const vertex = 'element vertex 1\nproperty float x\nproperty float y\nproperty float z';
+  it.each([
+    ['no end', `ply\nformat ascii 1.0\n${vertex}`, 'truncated', 'end_header'],
+    ['no format', `ply\n${vertex}${body}`, 'bad_header', 'format'],
+    [
+      'an unknown format',
+      `ply\nformat binary_middle_endian 1.0\n${vertex}${body}`,
+      'bad_header',
+      'binary_middle_endian',
+    ],
+    ['an unknown type', `ply\nformat ascii 1.0\n${vertex}\nproperty quad q${body}`, 'bad_header', 'quad', 'line 7'],
+    ['a list without types', `ply\nformat ascii 1.0\n${vertex}\nproperty list int q${body}`, 'bad_header', 'line 7'],
+    [
+      'a list of fractional length',
+      `ply\nformat ascii 1.0\n${vertex}\nproperty list float int q${body}`,
+      'bad_header',
+      'float',
+    ],
+    ['a property of nothing', `ply\nformat ascii 1.0\nproperty float x${body}`, 'bad_header', 'line 3'],
+    ['an unknown line', `ply\nformat ascii 1.0\nvertices 3${body}`, 'bad_header', 'vertices 3'],
+    ['a negative count', `ply\nformat ascii 1.0\nelement vertex -1${body}`, 'bad_header', 'count'],
+    ['a fractional count', `ply\nformat ascii 1.0\nelement vertex 1.5${body}`, 'bad_header', 'count'],
+    ['one property twice', `ply\nformat ascii 1.0\n${vertex}\nproperty int x${body}`, 'duplicate_name', '“x”'],
+    ['one element twice', `ply\nformat ascii 1.0\n${vertex}\n${vertex}${body}`, 'duplicate_name', '“vertex”'],
+  ] as const)('with %s is refused', async (_, file, code, ...words) => {
+    await expectFault(file, code, ...words);
+  });
+
+  it('with a name that is not UTF-8 is refused', async () => {
+    const text = `ply\nformat ascii 1.0\n${vertex}\nproperty float q#${body}`;
+    await expectFault(
+      bytesOf(text).map((byte) => (byte === 35 ? 0xff : byte)),
+      'bad_encoding',
+      'line 7',
+    );
+  });
+
+  it.each(['4294967295', '4000000000', '999999999999999'])(
+    'that declares %s of anything is refused at once',
+    async (count) => {
+      for (const order of plyOrders) {
+        const head = `ply\nformat ${order} 1.0\n`;
+        await expectFault(`${head}${vertex.replace('vertex 1', `vertex ${count}`)}${body}`, 'truncated', '“vertex”');
+        await expectFault(
+          `${head}element face ${count}\nproperty list uchar int vertex_index${body}`,
+          'truncated',
+          '“face”',
+        );
+        await expectFault(`${head}element nothing ${count}${body}`, 'no_points');
+      }
+    },
+  );
+
+  it('that declares a huge list is refused at once', async () => {
+    const list = `element face 1\nproperty list uint int vertex_index${body.replace('0 0 0', '')}`;
+    await expectFault(`ply\nformat ascii 1.0\n${list}4294967295 0 1 2`, 'truncated', 'face 0', '4 294 967 295 items');
+    const binary = bytesOf(`ply\nformat binary_little_endian 1.0\n${list.trimEnd()}\n`);
+    await expectFault(
+      Uint8Array.of(...binary, 255, 255, 255, 255, 0, 0, 0, 0),
+      'truncated',
+      'face 0',
+      '4 294 967 295 items',
+    );
+  });
+});
+
+function signedArea(
+  { position, triangles }: { position: ArrayLike<number>; triangles: Uint32Array },
+  face: number,
+): number {
+  const [a, b, c] = triangles.subarray(3 * face, 3 * face + 3);
+  const edge = (from: number, to: number) => [0, 1].map((axis) => position[3 * to + axis] - position[3 * from + axis]);
+  const [u, v] = [edge(a, b), edge(a, c)];
+  return (u[0] * v[1] - u[1] * v[0]) / 2;
+}

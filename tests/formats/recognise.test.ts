@@ -1,0 +1,47 @@
+import { describe, expect, it } from 'vitest';
+import { readSurface } from '../../web/formats/read.ts';
+import { writeSurface } from '../../web/formats/write.ts';
+import { expectFault } from './faults.ts';
+import { smallMesh } from './sample-mesh.ts';
+
+describe('a file', () => {
+  it('is read by its content, and its misleading name is mentioned', async () => {
+    const ply = await writeSurface('ply', smallMesh());
+    expect(await readSurface('mesh.PLY', ply)).toMatchObject({ format: 'ply', summary: '' });
+    expect(await readSurface('mesh', ply)).toMatchObject({ format: 'ply', summary: '' });
+    expect((await readSurface('mesh.vtp', ply)).summary).toContain('the content is PLY');
+    const vtp = await writeSurface('vtp', smallMesh());
+    expect((await readSurface('mesh.ply', vtp)).summary).toContain('the content is VTP');
+  });
+
+  it('that is empty is refused', async () => {
+    await expectFault('', 'empty_file', 'empty');
+  });
+
+  it.each([
+    ['# vtk DataFile Version 4.2\nx\nASCII', 'legacy VTK'],
+    ['glTF\u0002\0\0\0', 'GLB'],
+    ['{"scenes":[],"asset":{"version":"2.0"}}', 'glTF'],
+    ['solid x\n facet normal 0 0 1\n', 'STL'],
+    ['# made by\n# someone\nmtllib a.mtl\no Cube\nv 1.0 -1 0.5\n', 'OBJ'],
+    ['OFF\n8 6 0', 'OFF'],
+    ['PK\u0003\u0004', 'ZIP'],
+    ['%PDF-1.4', 'PDF'],
+    ['<!doctype html><html>', 'HTML'],
+    ['<?xml version="1.0"?><svg/>', 'XML'],
+  ])('like %j is refused by name', async (content, name) => {
+    await expectFault(content, 'unsupported_format', name);
+  });
+
+  it('in binary STL, gzip or an image is refused by name', async () => {
+    const stl = new Uint8Array(84 + 50);
+    stl[80] = 1;
+    await expectFault(stl, 'unsupported_format', 'STL');
+    await expectFault(Uint8Array.of(0x1f, 0x8b, 8, 0), 'unsupported_format', 'gzip');
+    await expectFault(Uint8Array.of(0x89, 0x50, 0x4e, 0x47), 'unsupported_format', 'image');
+  });
+
+  it.each(['hello', 'plywood', 'x,y,z\n1,2,3', '\0\0\0\0', 'v', 'solid'])('like %j is no mesh', async (content) => {
+    await expectFault(content, 'not_a_mesh');
+  });
+});
