@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scene.hpp"
+
+namespace {
+
+using euler::Primitive;
+
+constexpr double gas_constant = 8.314e-6; ///< MPa m^3 / (mol K)
+constexpr double xenon = 0.1313;          ///< molar masses, kg / mol
+constexpr double argon = 0.0399;
+constexpr double helium = 0.0040;
+
+/// A ball of hot gas.
+struct Ball {
+    std::array<double, 3> centre; ///< m
+    std::array<double, 3> radius; ///< m
+    double molar_mass;            ///< kg / mol
+    double temperature;           ///< K
+    std::array<float, 3> velocity; ///< km / s
+    std::array<float, euler::tracers> fraction;
+};
+
+constexpr double fireball_pressure = 0.15; ///< MPa
+constexpr double ambient_pressure = 0.1;
+constexpr double ambient_temperature = 900;
+
+const std::array<Ball, 2> balls = {{
+    {{-16, -4.8, -0.8}, {11.0, 8.0, 7.4}, xenon, 1200, {1.5F, 0, 0}, {1, 0}},
+    {{16, 4.8, 0.4}, {12.0, 8.5, 8.0}, argon, 400, {-1.5F, 0, 0}, {0, 1}},
+}};
+
+double density_of(double pressure, double molar_mass, double temperature) {
+    return pressure * molar_mass / (gas_constant * temperature);
+}
+
+/// The radius of a ball in a direction, relative to its mean: not quite round, so that the instabilities have something to
+/// grow from.
+double lumps(double nx, double ny, double nz) {
+    return 1 + 0.3 * nx * ny * nz + 0.15 * (nx * nx - ny * ny) * nz * nz;
+}
+
+Primitive initial(double x, double y, double z) {
+    for (const auto& ball : balls) {
+        const double dx = (x - ball.centre[0]) / ball.radius[0];
+        const double dy = (y - ball.centre[1]) / ball.radius[1];
+        const double dz = (z - ball.centre[2]) / ball.radius[2];
+        const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+        if (distance < lumps(dx / distance, dy / distance, dz / distance)) {
+            return {float(density_of(fireball_pressure, ball.molar_mass, ball.temperature)), ball.velocity,
+                    float(fireball_pressure), ball.fraction};
+        }
+    }
+    return {float(density_of(ambient_pressure, helium, ambient_temperature)), {}, float(ambient_pressure), {}};
+}
+
+float temperature(const Primitive& state) {
+    // The fractions are carried one by one, so their sum may exceed 1 a little where all three gases meet.
+    const double rest = std::max(0.0, 1.0 - state.fraction[0] - state.fraction[1]);
+    const double moles_per_mass = state.fraction[0] / xenon + state.fraction[1] / argon + rest / helium;
+    return float(state.pressure / (state.density * gas_constant * moles_per_mass));
+}
+
+constexpr double gamma_monatomic = 5.0 / 3.0;
+
+float energy(const Primitive& s) {
+    const double speed2 = double(s.velocity[0]) * s.velocity[0] + double(s.velocity[1]) * s.velocity[1] +
+                          double(s.velocity[2]) * s.velocity[2];
+    return float(s.pressure / (gamma_monatomic - 1) + 0.5 * s.density * speed2);
+}
+
+} // namespace
+
+/// Two hot balls of noble gas, xenon and argon, collide off-axis in cool helium. Lengths in metres, times in milliseconds.
+Scene fireballs() {
+    return {"fireballs",
+            "m",
+            {-35, -20, -12.5},
+            70,
+            gamma_monatomic,
+            euler::Boundary::outflow,
+            13,
+            initial,
+            {{"density", "kg/m3", [](const Primitive& s) { return s.density; }},
+             {"pressure", "MPa", [](const Primitive& s) { return s.pressure; }},
+             {"vx", "km/s", [](const Primitive& s) { return s.velocity[0]; }},
+             {"vy", "km/s", [](const Primitive& s) { return s.velocity[1]; }},
+             {"vz", "km/s", [](const Primitive& s) { return s.velocity[2]; }},
+             {"energy", "MJ/m3", energy},
+             {"temperature", "K", temperature}}};
+}
