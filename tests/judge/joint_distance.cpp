@@ -20,6 +20,8 @@ constexpr double start_height = 1.5;
 constexpr int most_steps = 60;
 /// Moves of the expansion to the place found, needed where the triangle is huge beside the bounds.
 constexpr int most_expansions = 4;
+/// The determinant of a quadratic, relative to its largest, from which its lowest place needs no second thought.
+constexpr double well_conditioned = 1e-3;
 /// A few units in the last place of a double: the relative error of a sum of some ten products.
 constexpr double rounding_unit = 2e-15;
 
@@ -81,24 +83,32 @@ std::array<double, 3> JointDistance::edge_distances(Offset place) const {
     return {u, v, 1 - u - v};
 }
 
-/// Where one convex quadratic is lowest on the triangle: inside if its own lowest place lies there, else on an edge.
+/// Where one convex quadratic is lowest on the triangle: inside if its own lowest place lies there, else on an edge. A
+/// quadratic that is level in some direction has many such places; the one near the base suffers least from rounding.
 JointDistance::Offset JointDistance::lowest(const Quadratic& h) const {
+    const auto is_inside = [this](Offset place) {
+        const auto distances = edge_distances(place);
+        return distances[0] >= 0 && distances[1] >= 0 && distances[2] >= 0;
+    };
     const double determinant = h.A * h.C - h.B * h.B;
-    if (determinant > rounding_unit * h.A * h.C) {
-        const Offset inside{(h.B * h.E - h.C * h.D) / determinant, (h.B * h.D - h.A * h.E) / determinant};
-        const auto distances = edge_distances(inside);
-        if (distances[0] >= 0 && distances[1] >= 0 && distances[2] >= 0) return inside;
-    }
+    const Offset inside{(h.B * h.E - h.C * h.D) / determinant, (h.B * h.D - h.A * h.E) / determinant};
+    if (determinant > well_conditioned * h.A * h.C && is_inside(inside)) return inside;
+
+    Offset best{0, 0};
+    const auto consider = [&](Offset place) {
+        if (h.at(place) + h.rounding(place) < h.at(best)) best = place;
+    };
+    if (const Offset along_u{-h.D / h.A, 0}; h.A > 0 && is_inside(along_u)) consider(along_u);
+    if (const Offset along_v{0, -h.E / h.C}; h.C > 0 && is_inside(along_v)) consider(along_v);
+    if (determinant > 0 && is_inside(inside)) consider(inside);
     const auto lowest_between = [](double square, double slope, double low, double high) {
         return square > 0 ? std::clamp(-slope / square, low, high) : slope > 0 ? low : high;
     };
     const double rest = 1 - base.u - base.v;
-    const double on_u = lowest_between(h.C, h.B * -base.u + h.E, -base.v, 1 - base.v);
-    const double on_v = lowest_between(h.A, h.B * -base.v + h.D, -base.u, 1 - base.u);
+    consider({-base.u, lowest_between(h.C, h.E - h.B * base.u, -base.v, 1 - base.v)});
+    consider({lowest_between(h.A, h.D - h.B * base.v, -base.u, 1 - base.u), -base.v});
     const double on_w = lowest_between(h.A - 2 * h.B + h.C, (h.B - h.C) * rest + h.D - h.E, -base.u, 1 - base.u);
-    Offset best{-base.u, on_u};
-    for (const Offset& other : {Offset{on_v, -base.v}, Offset{on_w, rest - on_w}})
-        if (h.at(other) < h.at(best)) best = other;
+    consider({on_w, rest - on_w});
     return best;
 }
 

@@ -1,0 +1,190 @@
+// Unusual meshes that are no error: reduced as far as they go, counted, kept as they are where they are odd.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "meshes/fields.hpp"
+#include "meshes/oddities.hpp"
+#include "meshes/shapes.hpp"
+#include "meshes/variations.hpp"
+#include "modes.hpp"
+#include "promise.hpp"
+
+namespace {
+
+using namespace meshbound;
+
+class OddMeshes : public ModeTest {
+protected:
+    Reduction reduce(const Mesh& mesh, const Bounds& bounds = promise::percent(3, 10)) const {
+        return promise::reduced(mesh, bounds, GetParam().options());
+    }
+};
+EVERY_MODE(OddMeshes);
+
+Mesh with_fields(Mesh mesh) {
+    meshes::add_usual_fields(mesh);
+    return mesh;
+}
+
+/// Where edges have three triangles or more.
+std::set<std::uint32_t> non_manifold_vertices_on(const Mesh& mesh, double x, double y) {
+    std::set<std::uint32_t> vertices;
+    for (std::uint32_t v = 0; v < vertex_count(mesh); ++v)
+        if (meshes::point(mesh, v).x == x && meshes::point(mesh, v).y == y) vertices.insert(v);
+    return vertices;
+}
+
+TEST_P(OddMeshes, ThreeSheetsKeepTheLineInWhichTheyMeet) {
+    const Mesh mesh = with_fields(meshes::three_sheets(8));
+    const Reduction reduction = reduce(mesh);
+    promise::expect_everything(mesh, reduction);
+    EXPECT_EQ(reduction.report.non_manifold_vertices, 9U);
+    EXPECT_GE(reduction.report.refused.fixed, 9U);
+    EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size());
+}
+
+TEST_P(OddMeshes, TwoCubesOnOneEdgeKeepIt) {
+    const Mesh mesh = meshes::cubes_on_one_edge(4);
+    const Reduction reduction = reduce(mesh, {{"position", relative(1e-4)}});
+    promise::expect_everything(mesh, reduction);
+    for (const std::uint32_t vertex : non_manifold_vertices_on(mesh, 4, 4))
+        EXPECT_TRUE(std::binary_search(reduction.vertices.begin(), reduction.vertices.end(), vertex));
+    EXPECT_NEAR(meshes::enclosed_volume(reduction.mesh), meshes::enclosed_volume(mesh), 1e-9);
+    // Two cubes of 12 triangles; the three inner vertices of the shared edge split two triangles of each cube thrice.
+    EXPECT_LE(reduction.mesh.triangles.size(), 24U + 2 * 2 * 3);
+}
+
+TEST_P(OddMeshes, ABowTieKeepsItsKnot) {
+    const Mesh mesh = with_fields(meshes::bow_tie(8));
+    const Reduction reduction = reduce(mesh);
+    promise::expect_vertex_subset(mesh, reduction);
+    EXPECT_EQ(meshes::topology(reduction.mesh), meshes::topology(mesh));
+    promise::expect_judge_agrees(mesh, reduction);
+    EXPECT_EQ(reduction.report.non_manifold_vertices, 1U);
+    EXPECT_TRUE(std::binary_search(reduction.vertices.begin(), reduction.vertices.end(), 80U)) << "the shared corner";
+}
+
+TEST_P(OddMeshes, ATriangleTheWrongWayRoundIsNoError) {
+    const Mesh mesh = with_fields(meshes::one_triangle_reversed(8));
+    const Reduction reduction = reduce(mesh);
+    promise::expect_everything(mesh, reduction);
+    EXPECT_GE(reduction.report.non_manifold_vertices, 3U);
+}
+
+TEST_P(OddMeshes, ANonOrientableBandIsNoError) {
+    // A Möbius band: the last column joins the first upside down, so that some edges run the same way in two triangles.
+    const int around = 40, across = 6;
+    Mesh mesh = meshes::grid(around, across, [](double u, double v) {
+        const double angle = 2 * 3.141592653589793 * u, half = 0.4 * (2 * v - 1);
+        const double radius = 1 + half * std::cos(angle / 2);
+        return glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), half * std::sin(angle / 2));
+    });
+    for (glm::uvec3& t : mesh.triangles)
+        for (int i = 0; i < 3; ++i)
+            if (t[i] % (around + 1) == around) t[i] = (across - t[i] / (around + 1)) * (around + 1);
+    mesh = with_fields(mesh);
+    const Reduction reduction = reduce(mesh);
+    promise::expect_everything(mesh, reduction);
+    EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 2);
+}
+
+TEST_P(OddMeshes, DegenerateTrianglesAreReducedAsUsual) {
+    for (const Mesh& plain : {meshes::sphere(8), meshes::plane(12, 12), meshes::cube(6)}) {
+        const Mesh mesh = meshes::with_degenerate_triangles(with_fields(plain));
+        const Reduction reduction = reduce(mesh);
+        promise::expect_everything(mesh, reduction);
+        EXPECT_GT(reduction.report.oddities.zero_area_triangles, 0U);
+        EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() * 3 / 4);
+    }
+}
+
+TEST_P(OddMeshes, CoincidentVerticesGoWhereTheyCarryNothingNew) {
+    // Vertices on top of others, in a plane: all of them go, exactly.
+    const Mesh mesh = meshes::with_degenerate_triangles(meshes::plane(8, 8));
+    EXPECT_EQ(reduce(mesh, {{"position", relative(1e-4)}}).mesh.triangles.size(), 2U);
+}
+
+TEST_P(OddMeshes, TrianglesWithAVertexTwiceAreLeftOutAndCounted) {
+    Mesh mesh = with_fields(meshes::sphere(6));
+    const Mesh plain = mesh;
+    mesh.triangles.insert(mesh.triangles.begin(), {5, 5, 7});
+    mesh.triangles.push_back({1, 2, 1});
+    mesh.triangles.push_back({3, 3, 3});
+    const Reduction reduction = reduce(mesh);
+    EXPECT_EQ(reduction.report.oddities.repeated_vertex_triangles, 3U);
+    EXPECT_EQ(reduction.report.triangles_before, mesh.triangles.size());
+    promise::expect_everything(plain, reduction);
+    EXPECT_EQ(reduction.vertices, reduce(plain).vertices);
+}
+
+TEST_P(OddMeshes, UnusedVerticesAreLeftOutAndCounted) {
+    Mesh mesh = with_fields(meshes::sphere(8));
+    mesh = meshes::cut(mesh, [](glm::dvec3 p) { return p.z < 0.3; });
+    const Reduction reduction = reduce(mesh);
+    std::set<std::uint32_t> used;
+    for (const glm::uvec3& t : mesh.triangles) used.insert({t.x, t.y, t.z});
+    EXPECT_EQ(reduction.report.oddities.unused_vertices, vertex_count(mesh) - used.size());
+    promise::expect_everything(mesh, reduction);
+}
+
+TEST_P(OddMeshes, ATriangleThatIsThereTwiceIsNoError) {
+    Mesh mesh = with_fields(meshes::plane(8, 8));
+    mesh.triangles.push_back(mesh.triangles[60]);
+    const Reduction reduction = reduce(mesh);
+    promise::expect_vertex_subset(mesh, reduction);
+    promise::expect_judge_agrees(mesh, reduction);
+    EXPECT_EQ(meshes::topology(reduction.mesh), meshes::topology(mesh));
+}
+
+TEST_P(OddMeshes, NeedlesAndTinyTrianglesKeepThePromise) {
+    // A plane whose columns crowd together by a factor of ten thousand, bent.
+    Mesh mesh = meshes::mapped(meshes::plane(24, 24), [](glm::dvec3 p) {
+        return glm::dvec3(std::pow(10.0, 4 * (p.x - 1)), p.y, std::sin(3 * p.y));
+    });
+    mesh = with_fields(meshes::flipped(mesh, 500, 3));
+    promise::expect_everything(mesh, reduce(mesh));
+}
+
+TEST_P(OddMeshes, ASurfaceFoldedFlatOntoItselfKeepsThePromise) {
+    // Two layers in one plane, joined at a crease of 180 degrees.
+    Mesh mesh = meshes::mapped(meshes::plane(16, 8, 2, 1), [](glm::dvec3 p) {
+        return p.x <= 1 ? p : glm::dvec3(2 - p.x, p.y, 0);
+    });
+    mesh = with_fields(mesh);
+    promise::expect_everything(mesh, reduce(mesh));
+}
+
+TEST_P(OddMeshes, AllVerticesInOnePlaceKeepTheirTopology) {
+    Mesh mesh = meshes::mapped(meshes::sphere(4), [](glm::dvec3) { return glm::dvec3(1, 2, 3); });
+    const Reduction reduction = reduce(mesh, {{"*", relative(0.1)}});
+    promise::expect_same_topology(mesh, reduction);
+    promise::expect_vertex_subset(mesh, reduction);
+}
+
+TEST_P(OddMeshes, SpecialNumbersComeThroughBitForBit) {
+    Mesh mesh = meshes::plane(4, 4);
+    meshes::add_scalar(mesh, "special", [](glm::dvec3 p) {
+        return p.x == 0 ? -0.0 : p.x == 1 ? std::numeric_limits<double>::denorm_min() : p.y;
+    });
+    mesh.variables.push_back({"single", 1, std::vector<float>(25, -0.0F)});
+    mesh.variables.push_back({"pair", 2, std::vector<float>(50, std::numeric_limits<float>::denorm_min())});
+    promise::expect_vertex_subset(mesh, reduce(mesh, {{"position", relative(0.1)}}));
+}
+
+TEST_P(OddMeshes, HugeAndTinyValuesKeepThePromise) {
+    Mesh mesh = meshes::torus(24, 12);
+    meshes::add_scalar(mesh, "huge", [](glm::dvec3 p) { return 1e200 * meshes::wave_field(p); });
+    meshes::add_scalar(mesh, "tiny", [](glm::dvec3 p) { return 1e-200 * meshes::wave_field(p); });
+    const Reduction reduction = reduce(mesh);
+    promise::expect_everything(mesh, reduction);
+    EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size());
+}
+
+} // namespace

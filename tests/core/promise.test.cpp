@@ -1,0 +1,89 @@
+// The promise over every kind of surface: the independent judge agrees.
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "meshes/fields.hpp"
+#include "meshes/gallery.hpp"
+#include "meshes/random.hpp"
+#include "meshes/shapes.hpp"
+#include "meshes/variations.hpp"
+#include "modes.hpp"
+#include "promise.hpp"
+
+namespace {
+
+using namespace meshbound;
+
+class Promise : public ModeTest {};
+EVERY_MODE(Promise);
+
+void expect_promise_over_gallery(const Mode& mode, const Bounds& bounds) {
+    for (const meshes::Exhibit& exhibit : meshes::gallery()) {
+        SCOPED_TRACE(exhibit.name);
+        const Reduction reduction = promise::reduced(exhibit.mesh, bounds, mode.options());
+        promise::expect_everything(exhibit.mesh, reduction);
+        if (!exhibit.closed) continue;
+        EXPECT_GT(meshes::enclosed_volume(exhibit.mesh) * meshes::enclosed_volume(reduction.mesh), 0)
+            << "turned inside out";
+    }
+}
+
+TEST_P(Promise, HoldsAtTightBounds) { expect_promise_over_gallery(GetParam(), promise::percent(0.1, 1)); }
+TEST_P(Promise, HoldsAtUsualBounds) { expect_promise_over_gallery(GetParam(), promise::percent(1, 3)); }
+TEST_P(Promise, HoldsAtLooseBounds) { expect_promise_over_gallery(GetParam(), promise::percent(6, 6)); }
+
+TEST_P(Promise, RemovesSomething) {
+    for (const meshes::Exhibit& exhibit : meshes::gallery()) {
+        SCOPED_TRACE(exhibit.name);
+        const Bounds bounds = {{"position", relative(0.06)}};
+        const Reduction reduction = promise::reduced(exhibit.mesh, bounds, GetParam().options());
+        EXPECT_LT(reduction.mesh.triangles.size(), exhibit.mesh.triangles.size() / 2);
+    }
+}
+
+/// A bound of any kind, from next to nothing to more than everything.
+Bound random_bound(meshes::Random& random) {
+    const double fraction = std::pow(10.0, random.uniform(-5, 0.3));
+    switch (random.below(4)) {
+    case 0: return free_of_bound();
+    case 1: return absolute(fraction);
+    default: return relative(fraction);
+    }
+}
+
+TEST_P(Promise, HoldsForRandomSurfacesAndBounds) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        meshes::Random random(seed);
+        Mesh mesh = meshes::flipped(seed % 2 == 0 ? meshes::noisy_sphere(6, random.uniform(0, 0.1), seed)
+                                                  : meshes::terrain(4, seed, random.uniform(0.3, 0.7)),
+                                    random.below(1000), seed);
+        meshes::add_usual_fields(mesh);
+        mesh = meshes::shuffled(mesh, seed);
+        if (random.below(2) == 0) mesh = meshes::in_single(mesh);
+        Bounds bounds = {{"position", random_bound(random)}};
+        for (const Variable& variable : mesh.variables) bounds.push_back({variable.name, random_bound(random)});
+        promise::expect_everything(mesh, promise::reduced(mesh, bounds, GetParam().options()), 5'000);
+    }
+}
+
+TEST_P(Promise, SurvivesTighteningOfAnyBoundAndAddingOfAnyVariable) {
+    for (const meshes::Exhibit& exhibit : meshes::gallery()) {
+        SCOPED_TRACE(exhibit.name);
+        Mesh mesh = exhibit.mesh;
+        mesh.variables.clear();
+        Bounds bounds = {{"position", relative(0.05)}};
+        for (const Variable& variable : exhibit.mesh.variables) {
+            mesh.variables.push_back(variable);
+            bounds.push_back({variable.name, relative(0.05)});
+            promise::expect_everything(mesh, promise::reduced(mesh, bounds, GetParam().options()), 5'000);
+            bounds.back().bound = relative(0.005);
+            promise::expect_everything(mesh, promise::reduced(mesh, bounds, GetParam().options()), 5'000);
+        }
+    }
+}
+
+} // namespace
