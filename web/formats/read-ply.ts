@@ -3,7 +3,7 @@ import { FormatError } from './format-error.ts';
 import { isFloatType, type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './ply-header.ts';
 import { type PlyValues, plyValues } from './ply-values.ts';
 import { declaredComponentNames, declaredUnits, groupProperties, type PlyVariable } from './ply-variables.ts';
-import { type Polygons, triangulate, trianglesOfStrips } from './polygons.ts';
+import { type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
 import { noLabels, type Surface } from './surface.ts';
 import { capitalised, counted, listed, quoted } from './wording.ts';

@@ -1,6 +1,6 @@
 import type { Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
-import { type Polygons, triangulate, trianglesOfStrips } from './polygons.ts';
+import { type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
 import { isFloatArray, readDataArray, type VtkPacking, type VtkValues } from './vtk-data-array.ts';
