@@ -1,9 +1,9 @@
-import type { Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
-import { type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
-import { asFloatingPoint } from './precision.ts';
+import type { Polygons } from './polygons.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
-import { isFloatArray, readDataArray, type VtkPacking, type VtkValues } from './vtk-data-array.ts';
+import { isFloatArray, readDataArray, type VtkPacking } from './vtk-data-array.ts';
+import { asEnds, asIndices, meshOfPieces, noPolygons, type Piece, type PointArray } from './vtk-pieces.ts';
+import type { VtkValues } from './vtk-values.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
 import { childrenOf, parseXml, type XmlNode } from './xml-tree.ts';
 
@@ -14,22 +14,6 @@ import { childrenOf, parseXml, type XmlNode } from './xml-tree.ts';
 /** An honest file rarely shrinks further; a bomb goes to a thousandth of its size. Small files may be as constant as they like. */
 const mostExpansion = 256;
 const freeExpansion = 64 << 20;
-
-/** A point-data array before it is known whether all pieces have it. */
-interface PointArray {
-  name: string;
-  components: number;
-  values: VtkValues;
-  integers: boolean;
-}
-
-interface Piece {
-  position: PointArray;
-  arrays: PointArray[];
-  triangles: Uint32Array;
-  split: number;
-  strips: number;
-}
 
 /**
  * Reads a VTP file (VTK XML PolyData): ASCII, inline base64, appended raw or base64, plain or zlib, either byte order.
@@ -47,10 +31,7 @@ export function readVtp(bytes: Uint8Array): Surface {
   const pieces = pieceNodes.map((node, index) =>
     readPiece(node, packing, pieceNodes.length > 1 ? `piece ${index} ` : ''),
   );
-  const full = pieces.filter((piece) => piece.position.values.length > 0);
-  if (full.length === 0) throw new FormatError('no_points', 'The file has no points.');
-  const mesh = joinPieces(full, notes);
-  notes.push(...triangleNotes(full));
+  const mesh = meshOfPieces(pieces, notes);
   return { mesh, notes, ...labelsOf(pieceNodes, ['position', ...mesh.variables.map((variable) => variable.name)]) };
 }
 
@@ -124,17 +105,9 @@ function readPiece(node: XmlNode, packing: VtkPacking, prefix: string): Piece {
   const points = countOf(node, 'NumberOfPoints');
   const position = readPoints(node, points, packing, prefix);
   const arrays = pointArrays(node).map((array) => readPointArray(array, points, packing, prefix));
-  const seen = new Set<string>();
-  for (const { name } of arrays) {
-    if (seen.has(name))
-      throw new FormatError('duplicate_name', `Two point-data arrays are named ${quoted(name)}.`, quoted(name));
-    seen.add(name);
-  }
   const polygons = readCells(node, 'Polys', packing, prefix);
   const strips = readCells(node, 'Strips', packing, prefix);
-  const { triangles, split } = triangulate(polygons, position.values, `${prefix}polygon`);
-  const ofStrips = trianglesOfStrips(strips, position.values, `${prefix}strip`);
-  return { position, arrays, triangles: joined([triangles, ofStrips]), split, strips: strips.ends.length };
+  return { prefix, position, arrays, polygons, strips };
 }
 
 function countOf(node: XmlNode, attribute: string): number {
@@ -168,7 +141,6 @@ function pointArrays(piece: XmlNode): XmlNode[] {
 
 function readPointArray(node: XmlNode, points: number, packing: VtkPacking, prefix: string): PointArray {
   const name = node.attributes.Name ?? '';
-  if (name === '') throw new FormatError('empty_name', 'A point-data array has no name.', 'PointData');
   const components = componentsOf(node);
   const values = readDataArray(node, points * components, packing, `array ${prefix}${quoted(name)}`);
   return { name, components, values, integers: !isFloatArray(node) };
@@ -177,95 +149,16 @@ function readPointArray(node: XmlNode, points: number, packing: VtkPacking, pref
 /** Polys or Strips of a piece: their corners, and where each cell ends among them. */
 function readCells(piece: XmlNode, kind: 'Polys' | 'Strips', packing: VtkPacking, prefix: string): Polygons {
   const count = countOf(piece, `NumberOf${kind}`);
-  if (count === 0) return { corners: new Uint32Array(), ends: new Uint32Array() };
+  if (count === 0) return noPolygons;
   const arrays = childrenOf(piece, kind).flatMap((parent) => childrenOf(parent, 'DataArray'));
-  const read = (name: string, length: number) => {
+  const read = (name: string, length: number, convert: (values: VtkValues, where: string) => Uint32Array) => {
     const where = `array ${prefix}“${kind} ${name}”`;
     const node = arrays.find((array) => array.attributes.Name === name);
     if (!node) throw new FormatError('count_mismatch', `The ${where} is missing.`, where);
-    return indices(readDataArray(node, length, packing, where), where);
+    return convert(readDataArray(node, length, packing, where), where);
   };
-  const ends = read('offsets', count);
-  const falling = ends.findIndex((end, index) => index > 0 && end < ends[index - 1]);
-  if (falling >= 0) {
-    throw new FormatError(
-      'bad_polygon',
-      `The offsets of ${prefix}${kind} fall at ${grouped(falling)}.`,
-      `${prefix}${kind}`,
-    );
-  }
-  return { corners: read('connectivity', ends.at(-1)!), ends };
-}
-
-function indices(values: VtkValues, where: string): Uint32Array {
-  const wrong = values.findIndex((value: number) => !(value >= 0 && value < 2 ** 32 && Number.isInteger(value)));
-  if (wrong < 0) return new Uint32Array(values);
-  const message = `Value ${grouped(wrong)} of the ${where} is ${values[wrong]}, which cannot be an index.`;
-  throw new FormatError('bad_index', message, where);
-}
-
-function joinPieces(pieces: Piece[], notes: string[]) {
-  const [first] = pieces;
-  const everywhere = first!.arrays.filter(({ name, components }) =>
-    pieces.every(({ arrays }) => arrays.some((array) => array.name === name && array.components === components)),
-  );
-  const lost = new Set(pieces.flatMap(({ arrays }) => arrays.map((array) => array.name)));
-  for (const { name } of everywhere) lost.delete(name);
-  if (lost.size > 0) notes.push(`Not carried, since not every piece has them: the arrays ${listed([...lost])}.`);
-  const variables: Variable[] = everywhere.map(({ name, components }) => {
-    const parts = pieces.map(({ arrays }) => arrays.find((array) => array.name === name)!);
-    return { name, components, values: joinValues(parts) };
-  });
-  const integers = everywhere.filter((array) => array.integers).map((array) => array.name);
-  if (integers.length > 0) notes.push(`Whole numbers in the file, floating point from here on: ${listed(integers)}.`);
-  return { position: joinValues(pieces.map((piece) => piece.position)), triangles: joinTriangles(pieces), variables };
-}
-
-/** One after the other, in double precision if any of them is. */
-function joinValues(parts: PointArray[]): Float32Array | Float64Array {
-  const single = parts.every(({ values }) => values instanceof Float32Array);
-  const length = parts.reduce((sum, { values }) => sum + values.length, 0);
-  const values = single ? new Float32Array(length) : new Float64Array(length);
-  let at = 0;
-  for (const part of parts) {
-    values.set(part.values, at);
-    at += part.values.length;
-  }
-  return parts.every((part) => part.integers) ? asFloatingPoint(values as Float64Array) : values;
-}
-
-function joinTriangles(pieces: Piece[]): Uint32Array {
-  let firstPoint = 0;
-  const shifted = pieces.map(({ position, triangles }) => {
-    const shift = firstPoint;
-    firstPoint += position.values.length / 3;
-    return shift === 0 ? triangles : triangles.map((corner) => corner + shift);
-  });
-  const triangles = joined(shifted);
-  if (triangles.length > 0) return triangles;
-  throw new FormatError('no_triangles', `The file has ${counted(firstPoint, 'point')}, but no polygons or strips.`);
-}
-
-function joined(parts: Uint32Array[]): Uint32Array {
-  const full = parts.filter((part) => part.length > 0);
-  if (full.length === 1) return full[0];
-  const all = new Uint32Array(full.reduce((sum, part) => sum + part.length, 0));
-  let at = 0;
-  for (const part of full) {
-    all.set(part, at);
-    at += part.length;
-  }
-  return all;
-}
-
-function triangleNotes(pieces: Piece[]): string[] {
-  const notes: string[] = [];
-  const total = (key: 'split' | 'strips') => pieces.reduce((sum, piece) => sum + piece[key], 0);
-  if (total('split') > 0)
-    notes.push(`${counted(total('split'), 'polygon')} with more than three corners split into triangles.`);
-  if (total('strips') > 0) notes.push(`${counted(total('strips'), 'triangle strip')} taken apart into triangles.`);
-  if (pieces.length > 1) notes.push(`${counted(pieces.length, 'piece')} joined; where they meet, points stay double.`);
-  return notes;
+  const ends = read('offsets', count, asEnds);
+  return { corners: read('connectivity', ends[count - 1], asIndices), ends };
 }
 
 /** What the file holds beside points, their arrays and triangles. */

@@ -2,6 +2,7 @@ import { unzlibSync } from 'fflate';
 import { AsciiNumbers } from './ascii-numbers.ts';
 import { Base64Bytes, type ByteStream, RawBytes } from './byte-streams.ts';
 import { FormatError } from './format-error.ts';
+import { fromBytes, isFloat, isVtkType, roomFor, sizeOf, type VtkType, type VtkValues } from './vtk-values.ts';
 import { counted, grouped, quoted } from './wording.ts';
 import type { XmlNode } from './xml-tree.ts';
 
@@ -17,24 +18,8 @@ export interface VtkPacking {
   budget: { bytes: number };
 }
 
-export type VtkValues = Float32Array | Float64Array;
-/** Arrays of the size of each type; 64-bit integers are put together separately. */
-const types = {
-  Int8: Int8Array,
-  UInt8: Uint8Array,
-  Int16: Int16Array,
-  UInt16: Uint16Array,
-  Int32: Int32Array,
-  UInt32: Uint32Array,
-  Int64: Float64Array,
-  UInt64: Float64Array,
-  Float32: Float32Array,
-  Float64: Float64Array,
-};
-type VtkType = keyof typeof types;
-
-export function isFloatArray(node: XmlNode): boolean {
-  return node.attributes.type === 'Float32' || node.attributes.type === 'Float64';
+export function isFloatArray({ attributes }: XmlNode): boolean {
+  return isVtkType(attributes.type) && isFloat(attributes.type);
 }
 
 /**
@@ -42,37 +27,20 @@ export function isFloatArray(node: XmlNode): boolean {
  * `where` names the array in messages. Nothing is allocated that the file cannot fill.
  */
 export function readDataArray(node: XmlNode, count: number, packing: VtkPacking, where: string): VtkValues {
-  const type = node.attributes.type as VtkType;
-  if (!Object.hasOwn(types, type)) {
-    throw new FormatError(
-      'unsupported_feature',
-      `The ${where} is of type ${quoted(type ?? '')}, which is not read.`,
-      where,
-    );
+  const { type, format } = node.attributes;
+  if (!isVtkType(type)) {
+    const message = `The ${where} is of type ${quoted(type ?? '')}, which is not read.`;
+    throw new FormatError('unsupported_feature', message, where);
   }
-  if (node.attributes.format === 'ascii') return readAscii(node.text, count, type, where);
-  const size = count * types[type].BYTES_PER_ELEMENT;
-  const bytes = readBytes(node, size, packing, where);
-  if (!packing.littleEndian) reverseEach(bytes, types[type].BYTES_PER_ELEMENT);
-  if (type === 'Int64' || type === 'UInt64') return wideIntegers(bytes, type === 'Int64');
-  const values = new types[type](bytes.buffer);
-  return values instanceof Float32Array || values instanceof Float64Array ? values : new Float64Array(values);
-}
-
-/** 64-bit integers as the nearest doubles, by halves: BigInt would take many times as long. */
-function wideIntegers(bytes: Uint8Array<ArrayBuffer>, signed: boolean): Float64Array {
-  const low = new Uint32Array(bytes.buffer);
-  const high = signed ? new Int32Array(bytes.buffer) : low;
-  const values = new Float64Array(low.length / 2);
-  for (let i = 0; i < values.length; i++) values[i] = high[2 * i + 1] * 2 ** 32 + low[2 * i];
-  return values;
+  if (format === 'ascii') return readAscii(node.text, count, type, where);
+  return fromBytes(readBytes(node, count * sizeOf(type), packing, where), type, packing.littleEndian);
 }
 
 function readAscii(text: string, count: number, type: VtkType, where: string): VtkValues {
   // A number takes a digit and a space.
   if (2 * count > text.length + 1) throw wrongCount(where, `fewer than ${grouped(count)} values`, count);
   const numbers = new AsciiNumbers(new TextEncoder().encode(text), 0, () => where);
-  const values = type === 'Float32' ? new Float32Array(count) : new Float64Array(count);
+  const values = roomFor(type, count);
   for (let i = 0; i < count; i++) {
     if (numbers.atEnd()) throw wrongCount(where, counted(i, 'value'), count);
     values[i] = numbers.next();
@@ -187,8 +155,4 @@ function adler32(bytes: Uint8Array): number {
     b %= modulus;
   }
   return b * 65536 + a;
-}
-
-function reverseEach(bytes: Uint8Array, size: number): void {
-  for (let at = 0; at < bytes.length; at += size) bytes.subarray(at, at + size).reverse();
 }

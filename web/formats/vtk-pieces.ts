@@ -1,0 +1,131 @@
+import type { Mesh, Variable } from '../../wasm/types.ts';
+import { FormatError } from './format-error.ts';
+import { type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
+import { asFloatingPoint } from './precision.ts';
+import type { VtkValues } from './vtk-values.ts';
+import { counted, grouped, listed, quoted } from './wording.ts';
+
+/** A point-data array before it is known whether all pieces have it. */
+export interface PointArray {
+  name: string;
+  components: number;
+  values: VtkValues;
+  /** Whole numbers in the file. */
+  integers: boolean;
+}
+
+/** A part of a surface as VTK's formats hold it. */
+export interface Piece {
+  /** Named in front of places in messages: "piece 2 ", or nothing where there is only one. */
+  prefix: string;
+  position: PointArray;
+  arrays: PointArray[];
+  polygons: Polygons;
+  strips: Polygons;
+}
+
+export const noPolygons: Polygons = { corners: new Uint32Array(), ends: new Uint32Array() };
+
+/** One mesh of all pieces, triangulated; adds to `notes` what was changed or left out on the way. */
+export function meshOfPieces(pieces: Piece[], notes: string[]): Mesh {
+  for (const piece of pieces) checkNames(piece);
+  const full = pieces.filter((piece) => piece.position.values.length > 0);
+  if (full.length === 0) throw new FormatError('no_points', 'The file has no points.');
+  const variables = joinArrays(full, notes);
+  const position = joinValues(full.map((piece) => piece.position));
+  const triangles = joinTriangles(full, notes);
+  if (full.length > 1) notes.push(`${counted(full.length, 'piece')} joined; where they meet, points stay double.`);
+  return { position, triangles, variables };
+}
+
+function checkNames({ arrays, prefix }: Piece): void {
+  const seen = new Set<string>();
+  for (const { name } of arrays) {
+    const where = `${prefix}point data`;
+    if (name === '') throw new FormatError('empty_name', `An array of the ${where} has no name.`, where);
+    if (seen.has(name)) {
+      throw new FormatError('duplicate_name', `Two arrays of the ${where} are named ${quoted(name)}.`, where);
+    }
+    seen.add(name);
+  }
+}
+
+function joinArrays(pieces: Piece[], notes: string[]): Variable[] {
+  const matching = ({ name, components }: PointArray) =>
+    pieces.map(({ arrays }) => arrays.find((array) => array.name === name && array.components === components));
+  const lost = new Set(pieces.flatMap(({ arrays }) => arrays.map((array) => array.name)));
+  const integers: string[] = [];
+  const variables = pieces[0].arrays.flatMap((array): Variable[] => {
+    const parts = matching(array).filter((part) => part !== undefined);
+    if (parts.length < pieces.length) return [];
+    lost.delete(array.name);
+    if (parts.every((part) => part.integers)) integers.push(array.name);
+    return [{ name: array.name, components: array.components, values: joinValues(parts) }];
+  });
+  if (lost.size > 0) notes.push(`Not carried, since not every piece has them: the arrays ${listed([...lost])}.`);
+  if (integers.length > 0) notes.push(`Whole numbers in the file, floating point from here on: ${listed(integers)}.`);
+  return variables;
+}
+
+/** One after the other, in double precision if any of them is. */
+function joinValues(parts: PointArray[]): VtkValues {
+  const narrow = (values: VtkValues) => (parts.every((part) => part.integers) ? asFloatingPoint(values) : values);
+  if (parts.length === 1) return narrow(parts[0].values);
+  const single = parts.every(({ values }) => values instanceof Float32Array);
+  const length = parts.reduce((sum, { values }) => sum + values.length, 0);
+  const values = single ? new Float32Array(length) : new Float64Array(length);
+  let at = 0;
+  for (const part of parts) {
+    values.set(part.values, at);
+    at += part.values.length;
+  }
+  return narrow(values);
+}
+
+function joinTriangles(pieces: Piece[], notes: string[]): Uint32Array {
+  let [points, split, strips] = [0, 0, 0];
+  const parts = pieces.flatMap((piece) => {
+    const position = piece.position.values;
+    const ofPolygons = triangulate(piece.polygons, position, `${piece.prefix}polygon`);
+    const ofStrips = trianglesOfStrips(piece.strips, position, `${piece.prefix}strip`);
+    const shift = points;
+    points += position.length / 3;
+    split += ofPolygons.split;
+    strips += piece.strips.ends.length;
+    const shifted = (corners: Uint32Array) => (shift === 0 ? corners : corners.map((corner) => corner + shift));
+    return [shifted(ofPolygons.triangles), shifted(ofStrips)];
+  });
+  if (split > 0) notes.push(`${counted(split, 'polygon')} with more than three corners split into triangles.`);
+  if (strips > 0) notes.push(`${counted(strips, 'triangle strip')} taken apart into triangles.`);
+  const triangles = joined(parts);
+  if (triangles.length > 0) return triangles;
+  throw new FormatError('no_triangles', `The file has ${counted(points, 'point')}, but no polygons or strips.`);
+}
+
+function joined(parts: Uint32Array[]): Uint32Array {
+  const full = parts.filter((part) => part.length > 0);
+  if (full.length === 1) return full[0];
+  const all = new Uint32Array(full.reduce((sum, part) => sum + part.length, 0));
+  let at = 0;
+  for (const part of full) {
+    all.set(part, at);
+    at += part.length;
+  }
+  return all;
+}
+
+/** Numbers of a file as indices; throws on the first that is none. `where` names their array. */
+export function asIndices(values: VtkValues, where: string): Uint32Array {
+  const wrong = values.findIndex((value: number) => !(value >= 0 && value < 2 ** 32 && Number.isInteger(value)));
+  if (wrong < 0) return new Uint32Array(values);
+  const message = `Value ${grouped(wrong)} of the ${where} is ${values[wrong]}, which cannot be an index.`;
+  throw new FormatError('bad_index', message, where);
+}
+
+/** Ends of polygons among their corners, which must not fall. */
+export function asEnds(values: VtkValues, where: string): Uint32Array {
+  const ends = asIndices(values, where);
+  const falling = ends.findIndex((end, index) => index > 0 && end < ends[index - 1]);
+  if (falling < 0) return ends;
+  throw new FormatError('bad_polygon', `The ${where} falls at ${grouped(falling)}.`, where);
+}
