@@ -1,6 +1,6 @@
 import { css, html, LitElement } from 'lit';
 import type { Sample } from '../session/services.ts';
-import type { Session } from '../session/session.ts';
+import type { OpenSurface, Session } from '../session/session.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';
 import { controlsStyle } from './controls-style.ts';
@@ -13,14 +13,13 @@ import { save } from './save.ts';
 import type { Stage } from './stage.ts';
 import './stage.ts';
 import './toolbar.ts';
-import { firstView, type ViewSettings } from './view-settings.ts';
+import { firstView, settingsFor, type ViewSettings } from './view-settings.ts';
 
 /** The whole page around one session. */
 export class App extends LitElement {
   static override properties = {
     session: { attribute: false },
     samples: { attribute: false },
-    sample: { state: true },
     settings: { state: true },
   };
 
@@ -53,7 +52,7 @@ export class App extends LitElement {
       meshbound-notices {
         position: absolute;
         z-index: 1;
-        top: 12px;
+        top: 50px;
         left: 50%;
         width: min(620px, 100% - 24px);
         transform: translateX(-50%);
@@ -92,17 +91,15 @@ export class App extends LitElement {
 
   declare session: Session;
   declare samples: readonly Sample[];
-  /** Name of the sample that was opened last; empty where it was a file. */
-  declare sample: string;
   declare settings: ViewSettings;
 
   constructor() {
     super();
     this.samples = [];
-    this.sample = '';
     this.settings = firstView;
   }
 
+  #shown: OpenSurface | null = null;
   #drop = new FileDrop(this, (file) => this.#openFile(file));
 
   override connectedCallback(): void {
@@ -121,7 +118,7 @@ export class App extends LitElement {
       <meshbound-toolbar
         role="banner"
         .samples=${this.samples}
-        .sample=${this.sample}
+        .opening=${opening}
         .surface=${surface}
         .bounds=${bounds}
         .settings=${this.settings}
@@ -184,7 +181,13 @@ export class App extends LitElement {
     }
   }
 
-  #sessionChanged = (): void => this.requestUpdate();
+  /** Another surface has other variables. */
+  #sessionChanged = (): void => {
+    const { surface } = this.session.state;
+    if (surface !== this.#shown && surface) this.settings = settingsFor(surface, this.settings);
+    this.#shown = surface;
+    this.requestUpdate();
+  };
 }
 
 customElements.define('meshbound-app', App);

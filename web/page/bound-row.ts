@@ -1,9 +1,10 @@
 import { css, html, LitElement, nothing } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { VariableExtent, VariableReport } from '../../wasm/index.ts';
 import type { BoundSetting } from '../session/bound-setting.ts';
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
-import { percentText, roundedUp, valueText, withUnit } from './number-text.ts';
+import { percentText, valueText, withUnit } from './number-text.ts';
 import './percent-field.ts';
 import { wholeOf } from './promise-words.ts';
 
@@ -28,7 +29,7 @@ export class BoundRow extends LitElement {
       }
       .line {
         display: flex;
-        gap: var(--gap);
+        gap: 6px;
         align-items: center;
         justify-content: space-between;
       }
@@ -38,18 +39,24 @@ export class BoundRow extends LitElement {
         white-space: nowrap;
         font-weight: 600;
       }
+      .unit {
+        flex: 1;
+        white-space: nowrap;
+      }
       label {
         display: flex;
-        gap: 4px;
+        gap: 6px;
         align-items: center;
         cursor: pointer;
       }
-      .numbers {
-        min-height: 30px;
+      input {
+        margin: 0;
+      }
+      .error {
         white-space: nowrap;
       }
       meshbound-bound-slider {
-        margin: 2px 0;
+        margin: 3px 0;
       }
     `,
   ];
@@ -63,44 +70,45 @@ export class BoundRow extends LitElement {
   override render() {
     const { name } = this.variable;
     const { fraction, free } = this.setting;
-    const bound = withUnit(valueText(fraction * wholeOf(this.variable)), this.unit);
+    const bound = valueText(fraction * wholeOf(this.variable));
     return html`
       <div class="line">
         <span class="name" title=${name}>${name}</span>
-        <label class="small soft">
-          <input type="checkbox" aria-label="${name} bounded" .checked=${!free} @change=${this.#toggle} />bounded
-        </label>
+        <span class="unit small soft">${withUnit('', this.unit)}${this.#constant()}</span>
+        <meshbound-percent-field
+          label="Bound of ${name} in percent"
+          .fraction=${fraction}
+          ?disabled=${free}
+          @bound-input=${this.#input}
+        ></meshbound-percent-field>
       </div>
       <meshbound-bound-slider
         label="Bound of ${name}"
-        spoken="${percentText(fraction)}, ${bound}"
+        spoken="${percentText(fraction)}, ${withUnit(bound, this.unit)}"
         .fraction=${fraction}
         .used=${free ? 0 : (this.reached?.ratio ?? 0)}
         ?disabled=${free}
         @bound-input=${this.#input}
       ></meshbound-bound-slider>
-      <div class="line numbers">
-        <span>
-          <meshbound-percent-field
-            label="Bound of ${name} in percent"
-            .fraction=${fraction}
-            ?disabled=${free}
-            @bound-input=${this.#input}
-          ></meshbound-percent-field>
-          <span class="small soft">${free ? 'free' : html`= ${bound}`}</span>
-        </span>
+      <div class="line small">
+        <label>
+          <input type="checkbox" aria-label="${name} bounded" .checked=${live(!free)} @change=${this.#toggle} />
+          <span>bounded${free ? '' : html` by ${withUnit(bound, this.unit)}`}</span>
+        </label>
         ${this.#reached()}
       </div>
-      ${this.variable.constant ? html`<p class="small soft">Constant: percent of its magnitude.</p>` : nothing}
     `;
+  }
+
+  #constant() {
+    if (!this.variable.constant) return nothing;
+    return html` <span title="Its values differ by rounding only: the percentage is of their magnitude.">constant</span>`;
   }
 
   #reached() {
     if (!this.reached) return nothing;
-    const error = roundedUp(this.reached.error);
-    const share = percentText(roundedUp(this.reached.error / wholeOf(this.variable)));
-    return html`<span class="small" title="No point of the surface has a larger error than this.">
-      error ${withUnit(valueText(error), this.unit)}, ${share}
+    return html`<span class="error" title="No point of the surface has a larger error than this.">
+      error ${valueText(this.reached.error)}
     </span>`;
   }
 

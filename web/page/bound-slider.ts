@@ -1,21 +1,8 @@
 import { css, html, LitElement } from 'lit';
-import { tidy } from '../session/bound-setting.ts';
+import { fractionAt, placeOf } from './bound-place.ts';
 
-/** The slider reaches from 0.01 % to 20 %, logarithmic; a number field reaches beyond. */
-const lowest = 0.0001;
-const highest = 0.2;
+/** How finely the track is divided: a press of an arrow key changes the bound by 2 %. */
 const steps = 330;
-
-/** The place of a fraction on the slider, 0…1. */
-export function placeOf(fraction: number): number {
-  const place = Math.log(fraction / lowest) / Math.log(highest / lowest);
-  return Math.min(1, Math.max(0, place));
-}
-
-/** The fraction at a place, 0…1. */
-export function fractionAt(place: number): number {
-  return tidy(lowest * (highest / lowest) ** place);
-}
 
 /**
  * Sets a bound. Inside its track a bar shows how much of the bound the result uses.
@@ -87,7 +74,7 @@ export class BoundSlider extends LitElement {
 
   constructor() {
     super();
-    this.fraction = lowest;
+    this.fraction = 1;
     this.used = 0;
     this.label = '';
     this.spoken = '';

@@ -31,7 +31,7 @@ export class BoundsPanel extends LitElement {
         padding: 12px 16px;
       }
       .row {
-        padding: 8px 0;
+        padding: 5px 0;
         border-top: 1px solid var(--line);
       }
       h2 {
@@ -85,7 +85,9 @@ export class BoundsPanel extends LitElement {
     const fraction = largestFraction(this.bounds);
     const input = ({ detail }: CustomEvent<number>) => this.#change({ all: detail });
     return html`<div class="all">
-      <span>All <span class="small soft">the largest; the others in proportion</span></span>
+      <span title="Sets the largest bound; the others keep their proportion to it.">
+        All <span class="small soft">in proportion</span>
+      </span>
       <meshbound-percent-field label="Largest bound in percent" .fraction=${fraction} @bound-input=${input}>
       </meshbound-percent-field>
       <meshbound-bound-slider

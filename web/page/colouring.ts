@@ -12,7 +12,10 @@ export interface Meaning {
   title: string;
   unit: string | undefined;
   map: Colormap;
+  /** What the ends of the map stand for. */
   range: ColourRange;
+  /** What the original surface holds. */
+  data: ColourRange;
   /** Error / bound: a place above 1 is a broken promise. */
   share: boolean;
 }
@@ -35,10 +38,13 @@ export function valueColouring(mesh: Mesh, { mesh: original, labels }: OpenSurfa
       unit: labels.units[settings.variable],
       map: settings.map,
       range,
+      data: whole,
       share: false,
     },
   };
 }
+
+const fullShare: ColourRange = { lowest: 0, highest: 1 };
 
 /** Error / bound of one variable on every triangle of a reduced surface, always over 0…1. */
 export function errorColouring({ triangleErrors, report }: Reduction, variable: string): Colouring {
@@ -50,7 +56,7 @@ export function errorColouring({ triangleErrors, report }: Reduction, variable: 
   const title = `error / bound: ${name}${Number.isFinite(bound) ? '' : ' (free: no bound)'}`;
   return {
     places: cornerShares(triangleErrors[index].largest, bound),
-    meaning: { title, unit: undefined, map: 'share', range: { lowest: 0, highest: 1 }, share: true },
+    meaning: { title, unit: undefined, map: 'share', range: fullShare, data: fullShare, share: true },
   };
 }
 

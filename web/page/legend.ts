@@ -55,6 +55,19 @@ export class Legend extends LitElement {
         display: flex;
         justify-content: space-between;
       }
+      /* Where the surface has little room, the ticks must do. */
+      @container (max-width: 480px) {
+        .ticks span:nth-child(even) {
+          display: none;
+        }
+        :host {
+          width: min(200px, 100%);
+          padding: 3px 12px 0;
+        }
+        .ends.soft:not(.special) {
+          display: none;
+        }
+      }
       .swatch {
         display: inline-block;
         width: 10px;
@@ -87,14 +100,14 @@ export class Legend extends LitElement {
   }
 
   #ends() {
-    const { lowest, highest } = this.meaning?.range ?? { lowest: 0, highest: 0 };
+    const { lowest, highest } = this.meaning?.data ?? { lowest: 0, highest: 0 };
     return html`<div class="ends soft">
       <span>min ${valueText(lowest, 4)}</span><span>max ${valueText(highest, 4)}</span>
     </div>`;
   }
 
   #specialColours() {
-    return html`<div class="ends soft">
+    return html`<div class="ends special soft">
       <span><span class="swatch" style="background:${cssColour(aboveBoundColour)}"></span>above 1: never</span>
       <span><span class="swatch" style="background:${cssColour(missingColour)}"></span>no bound</span>
     </div>`;

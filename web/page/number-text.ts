@@ -26,7 +26,7 @@ export function valueText(value: number, digits = 3): string {
 
 /** "1.2 Pa", or "1.2" where there is no unit, or the unit is one. */
 export function withUnit(text: string, unit: string | undefined): string {
-  return unit && unit !== '1' ? `${text}\u00a0${unit}` : text;
+  return unit && unit !== '1' ? `${text}\u00a0${unit}`.trimStart() : text;
 }
 
 /** A fraction as a percentage without its sign, rounded to three digits: "2.97". */
@@ -53,5 +53,6 @@ export function roundedUp(error: number): number {
 
 /** "0.31 s", "12 s" */
 export function secondsText(seconds: number): string {
+  if (seconds < 0.005) return 'less than 0.01\u00a0s';
   return `${seconds < 10 ? seconds.toFixed(2) : Math.round(seconds)}\u00a0s`;
 }

@@ -35,9 +35,9 @@ export class PercentField extends LitElement {
         position: absolute;
         z-index: 2;
         top: calc(100% + 4px);
-        left: 0;
+        right: 0;
         width: max-content;
-        max-width: 240px;
+        max-width: 260px;
         padding: 4px 8px;
         color: var(--fault);
         background: var(--fault-soft);

@@ -1,11 +1,9 @@
 import { css, html, LitElement, nothing } from 'lit';
-import { createRef, ref } from 'lit/directives/ref.js';
 import type { Mesh, Reduction } from '../../wasm/types.ts';
 import { aboveBoundColour, type Colour, colourTable, missingColour } from '../colour/colormaps.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { type Frame, frameOf } from '../viewer/frame.ts';
 import type { ShownColour } from '../viewer/lookup-material.ts';
-import { SurfacePreparer } from '../viewer/prepare.ts';
 import { Viewer } from '../viewer/viewer.ts';
 import { type Colouring, errorColouring, type Meaning, valueColouring } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
@@ -99,13 +97,10 @@ export class Stage extends LitElement {
   /** What the colours of each side mean. */
   declare meanings: (Meaning | null)[];
 
-  #canvas = createRef<HTMLCanvasElement>();
   #viewer: Viewer | null = null;
-  #preparer = new SurfacePreparer();
   #frame: Frame = { centre: [0, 0, 0], radius: 1 };
-  /** What each side has drawn, and what it was last asked to draw. */
+  /** What each side has drawn. */
   #drawn: (Mesh | null)[] = [null, null];
-  #wanted: (Mesh | null)[] = [null, null];
 
   constructor() {
     super();
@@ -118,7 +113,7 @@ export class Stage extends LitElement {
 
   override render() {
     return html`
-      <canvas ${ref(this.#canvas)} aria-hidden="true"></canvas>
+      <canvas aria-hidden="true"></canvas>
       <div class="panes">${sides.map((_, side) => this.#pane(side))}</div>
     `;
   }
@@ -150,9 +145,10 @@ export class Stage extends LitElement {
   }
 
   override firstUpdated(): void {
+    const canvas = this.renderRoot.querySelector('canvas') as HTMLCanvasElement;
     const panes = [...this.renderRoot.querySelectorAll<HTMLElement>('.pane')];
     try {
-      this.#viewer = new Viewer(this.#canvas.value!, panes);
+      this.#viewer = new Viewer(canvas, panes);
     } catch {
       const detail = 'Nothing can be drawn: this browser offers no WebGL 2. Reducing and saving still work.';
       this.dispatchEvent(new CustomEvent('stage-fault', { detail }));
@@ -160,9 +156,10 @@ export class Stage extends LitElement {
   }
 
   override updated(changed: Map<string, unknown>): void {
+    if (!this.#viewer) return;
     if (changed.has('surface')) this.#showOriginal();
-    if (changed.has('surface') || changed.has('result')) void this.#show(reduced, this.result?.mesh ?? null);
-    if (changed.has('settings')) this.#applySettings();
+    if (changed.has('surface') || changed.has('result')) this.#show(reduced, this.result?.mesh ?? null);
+    if (changed.has('settings')) this.#applySettings(this.#viewer);
   }
 
   fit(): void {
@@ -172,52 +169,43 @@ export class Stage extends LitElement {
   #showOriginal(): void {
     if (this.surface) this.#frame = frameOf(this.surface.mesh.position);
     this.fit();
-    void this.#show(original, this.surface?.mesh ?? null);
+    this.#show(original, this.surface?.mesh ?? null);
   }
 
-  async #show(side: number, mesh: Mesh | null): Promise<void> {
-    this.#wanted[side] = mesh;
-    const arrays = mesh && (await this.#preparer.prepare(mesh, this.#frame));
-    if (!this.#viewer || this.#wanted[side] !== mesh) return;
-    this.#drawn[side] = mesh;
-    const colouring = this.#colouring(side);
-    this.#viewer.surfaces[side].draw(arrays, colouring?.places ?? new Float32Array());
-    this.#explain(side, colouring);
-  }
-
-  #applySettings(): void {
-    if (!this.#viewer) return;
-    this.#viewer.cameras.linked = this.settings.linked;
-    sides.forEach((_, side) => {
-      const surface = this.#viewer!.surfaces[side];
-      surface.edges = this.settings.edges;
-      const colouring = this.#colouring(side);
-      if (colouring) surface.recolour(colouring.places);
-      this.#explain(side, colouring);
+  #show(side: number, mesh: Mesh | null): void {
+    void this.#viewer?.show(side, mesh, this.#frame, () => {
+      this.#drawn[side] = mesh;
+      return this.#paint(side);
     });
+  }
+
+  #applySettings(viewer: Viewer): void {
+    viewer.cameras.linked = this.settings.linked;
+    viewer.edges = this.settings.edges;
+    for (const side of [original, reduced]) viewer.recolour(side, this.#paint(side));
+  }
+
+  /** Makes map and legend of a side those of what it has drawn, and returns the places of its corners in the map. */
+  #paint(side: number): Float32Array {
+    const colouring = this.#colouring(side);
+    const meaning = colouring?.meaning ?? null;
+    this.meanings = this.meanings.map((old, index) => (index === side ? meaning : old));
+    if (!colouring) return new Float32Array();
+    this.#viewer?.setLookup(side, {
+      table: colourTable(colouring.meaning.map),
+      markAbove: colouring.meaning.share,
+      above: shown(aboveBoundColour),
+      missing: shown(missingColour),
+    });
+    return colouring.places;
   }
 
   #colouring(side: number): Colouring | null {
     const mesh = this.#drawn[side];
     if (!mesh || !this.surface) return null;
     const { errorOf } = this.settings;
-    if (side === reduced && this.result?.mesh === mesh && errorOf !== null) return errorColouring(this.result, errorOf);
+    if (this.result?.mesh === mesh && errorOf !== null) return errorColouring(this.result, errorOf);
     return valueColouring(mesh, this.surface, this.settings);
-  }
-
-  /** Makes map and legend of a side those of its colouring. */
-  #explain(side: number, colouring: Colouring | null): void {
-    const meaning = colouring?.meaning ?? null;
-    this.meanings = this.meanings.map((old, index) => (index === side ? meaning : old));
-    if (meaning) {
-      this.#viewer!.surfaces[side].lookup = {
-        table: colourTable(meaning.map),
-        markAbove: meaning.share,
-        above: shown(aboveBoundColour),
-        missing: shown(missingColour),
-      };
-    }
-    this.#viewer!.requestDraw();
   }
 
   #pressKey(side: number, event: KeyboardEvent): void {

@@ -19,7 +19,7 @@ import { firstView, type ViewSettings } from './view-settings.ts';
 export class Toolbar extends LitElement {
   static override properties = {
     samples: { attribute: false },
-    sample: {},
+    opening: {},
     surface: { attribute: false },
     bounds: { attribute: false },
     settings: { attribute: false },
@@ -61,13 +61,16 @@ export class Toolbar extends LitElement {
         .view {
           margin-left: 0;
         }
+        select {
+          max-width: 124px;
+        }
       }
     `,
   ];
 
   declare samples: readonly Sample[];
-  /** Name of the sample that is open; empty where a file is. */
-  declare sample: string;
+  /** What is being opened. The choice of a sample is drawn again when it ends, however it ends. */
+  declare opening: string | null;
   declare surface: OpenSurface | null;
   declare bounds: BoundSettings;
   declare settings: ViewSettings;
@@ -75,7 +78,7 @@ export class Toolbar extends LitElement {
   constructor() {
     super();
     this.samples = [];
-    this.sample = '';
+    this.opening = null;
     this.surface = null;
     this.bounds = {};
     this.settings = firstView;
@@ -96,10 +99,11 @@ export class Toolbar extends LitElement {
       <input type="file" hidden accept=".ply,.vtp" @change=${this.#openFile} />
       <label>
         <span class="soft">Sample</span>
-        <select .value=${live(this.sample)} @change=${this.#openSample}>
-          <option value="" disabled ?selected=${this.sample === ''}>choose…</option>
+        <select @change=${this.#openSample}>
+          <option value="" disabled .selected=${live(!this.surface?.sample)}>choose…</option>
           ${this.samples.map(
-            ({ name, title }) => html`<option value=${name} ?selected=${name === this.sample}>${title}</option>`,
+            ({ name, title }) =>
+              html`<option value=${name} .selected=${live(name === this.surface?.sample)}>${title}</option>`,
           )}
         </select>
       </label>
@@ -113,23 +117,21 @@ export class Toolbar extends LitElement {
       <label>
         <span class="soft">Map</span>
         <select @change=${(event: Event) => this.#change({ map: chosen(event) as ValueColormap })}>
-          ${valueColormaps.map((name) => html`<option ?selected=${name === map}>${name}</option>`)}
+          ${valueColormaps.map((name) => html`<option .selected=${live(name === map)}>${name}</option>`)}
         </select>
       </label>
       <label>
-        <span class="soft">Reduced side</span>
+        <span class="soft">Reduced shows</span>
         <select
           @change=${(event: Event) => this.#change({ errorOf: chosen(event) === '' ? null : chosen(event) })}
         >
-          <option value="" ?selected=${errorOf === null}>values</option>
-          <optgroup label="error / bound of">
-            ${this.surface?.variables.map(
-              ({ name }) =>
-                html`<option value=${name} ?selected=${name === errorOf} ?disabled=${this.bounds[name]?.free}>
-                  ${name}
+          <option value="" .selected=${live(errorOf === null)}>values</option>
+          ${this.surface?.variables.map(
+            ({ name }) =>
+              html`<option value=${name} .selected=${live(name === errorOf)} ?disabled=${this.bounds[name]?.free}>
+                  error / bound, ${name}
                 </option>`,
-            )}
-          </optgroup>
+          )}
         </select>
       </label>
     `;
@@ -145,7 +147,7 @@ export class Toolbar extends LitElement {
       })),
     );
     return html`<select @change=${(event: Event) => this.#change(choices[Number(chosen(event))].choice)}>
-      ${choices.map(({ selected, text }, index) => html`<option value=${index} ?selected=${selected}>${text}</option>`)}
+      ${choices.map(({ selected, text }, index) => html`<option value=${index} .selected=${live(selected)}>${text}</option>`)}
     </select>`;
   }
 
@@ -165,7 +167,7 @@ export class Toolbar extends LitElement {
   }
 
   #browse(): void {
-    this.renderRoot.querySelector<HTMLInputElement>('input[type=file]')!.click();
+    this.renderRoot.querySelector<HTMLInputElement>('input[type=file]')?.click();
   }
 
   #openFile({ target }: Event): void {

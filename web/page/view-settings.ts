@@ -1,5 +1,6 @@
 import type { ValueColormap } from '../colour/colormaps.ts';
-import type { Component } from '../colour/field.ts';
+import { type Component, componentsOf } from '../colour/field.ts';
+import type { OpenSurface } from '../session/session.ts';
 
 /** How the surfaces are looked at. */
 export interface ViewSettings {
@@ -23,3 +24,13 @@ export const firstView: ViewSettings = {
   edges: false,
   linked: true,
 };
+
+/** The same view of another surface: what it does not have is replaced, a variable by the first one that varies. */
+export function settingsFor({ variables }: OpenSurface, settings: ViewSettings): ViewSettings {
+  const has = (name: string | null) => variables.some((variable) => variable.name === name);
+  const errorOf = has(settings.errorOf) ? settings.errorOf : null;
+  if (settings.variable !== 'position' && has(settings.variable)) return { ...settings, errorOf };
+  const [position, ...data] = variables;
+  const { name, components } = data.find(({ constant }) => !constant) ?? data[0] ?? position;
+  return { ...settings, errorOf, variable: name, component: componentsOf(components)[0].component };
+}

@@ -7,9 +7,16 @@ import { oddityNotes } from './oddity-notes.ts';
 import type { OpenedFile } from './read.ts';
 import type { Sample, Services } from './services.ts';
 
-/** A surface that passed validation. */
-export interface OpenSurface {
+/** Where a surface comes from. */
+interface Source {
+  /** For people: the name of the file, the title of the sample. */
   name: string;
+  /** Name of the sample that it is; null for a file. */
+  sample: string | null;
+}
+
+/** A surface that passed validation. */
+export interface OpenSurface extends Source {
   mesh: Mesh;
   /** Units and names of components, where the file states them. */
   labels: Labels;
@@ -64,11 +71,13 @@ export class Session extends EventTarget {
   }
 
   openFile(file: File): Promise<void> {
-    return this.#open(file.name, async () => this.#services.read(file.name, new Uint8Array(await file.arrayBuffer())));
+    const load = async () => this.#services.read(file.name, new Uint8Array(await file.arrayBuffer()));
+    return this.#open({ name: file.name, sample: null }, load);
   }
 
-  openSample({ title, url }: Sample): Promise<void> {
-    return this.#open(title, async () => this.#services.read(url, await this.#services.fetchBytes(url)));
+  openSample({ name, title, url }: Sample): Promise<void> {
+    const load = async () => this.#services.read(url, await this.#services.fetchBytes(url));
+    return this.#open({ name: title, sample: name }, load);
   }
 
   setBound(variable: string, setting: BoundSetting): void {
@@ -88,24 +97,24 @@ export class Session extends EventTarget {
     this.#update({ notices: this.#state.notices.filter((notice) => notice.id !== id) });
   }
 
-  async #open(name: string, load: () => Promise<OpenedFile>): Promise<void> {
-    this.#update({ opening: name, notices: [] });
+  async #open(source: Source, load: () => Promise<OpenedFile>): Promise<void> {
+    this.#update({ opening: source.name, notices: [] });
     let file: OpenedFile | undefined;
     try {
       const inspected = await this.#opening.run(async () => {
         file = await load();
         return { file, inspection: await this.#services.inspect(file.mesh) };
       });
-      if (inspected !== superseded) this.#adopt(name, inspected.file, inspected.inspection);
+      if (inspected !== superseded) this.#adopt(source, inspected.file, inspected.inspection);
     } catch (error) {
       this.#update({ opening: null });
-      this.#refuse(name, file, error);
+      this.#refuse(source, file, error);
     }
   }
 
-  #adopt(name: string, { mesh, labels, notes }: OpenedFile, { variables, oddities }: Inspection): void {
+  #adopt(source: Source, { mesh, labels, notes }: OpenedFile, { variables, oddities }: Inspection): void {
     this.#reducing.abort();
-    const surface = { name, mesh, labels, variables };
+    const surface = { ...source, mesh, labels, variables };
     const bounds = defaultBounds(variables.map((variable) => variable.name));
     this.#update({ opening: null, surface, bounds, progress: 0, result: null });
     for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
@@ -113,14 +122,14 @@ export class Session extends EventTarget {
   }
 
   /** Says why a file was not opened. A variable that holds no numbers need not stop the rest: leaving it out is offered. */
-  #refuse(name: string, file: OpenedFile | undefined, error: unknown): void {
-    const text = `${name}: ${messageOf(error)}`;
+  #refuse(source: Source, file: OpenedFile | undefined, error: unknown): void {
+    const text = `${source.name}: ${messageOf(error)}`;
     const variable = nonFiniteVariable(error);
     if (!file || variable === undefined) {
       this.#notify({ kind: 'error', text });
       return;
     }
-    const take = () => void this.#open(name, async () => withoutVariable(file, variable));
+    const take = () => void this.#open(source, async () => withoutVariable(file, variable));
     this.#notify({ kind: 'error', text, remedy: { label: `Leave out “${variable}”`, take } });
   }
 

@@ -1,5 +1,5 @@
-/** Cosine of the crease angle: triangles that meet at more than 40° are shaded as two faces, not as one bend. */
-const creaseCosine = Math.cos((40 * Math.PI) / 180);
+/** Cosine of the crease angle: triangles that meet at more than 60° are shaded as two faces, not as one bend. */
+const creaseCosine = Math.cos((60 * Math.PI) / 180);
 
 /**
  * Normals for smooth shading, one a triangle corner: the area-weighted mean over the triangles at its vertex that turn

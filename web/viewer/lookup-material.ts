@@ -47,7 +47,7 @@ in float shownPlace;
 out vec4 colour;
 
 const vec3 lightFrom = normalize(vec3(0.35, 0.45, 1.0));
-const float darkest = 0.5;
+const float darkest = 0.6;
 
 vec3 lookUp(float place) {
   if (place < 0.0) return missingColour;
@@ -70,12 +70,12 @@ float edgeCover() {
   vec3 pixels = corner / max(perPixel, vec3(1e-9));
   float nearest = min(min(pixels.x, pixels.y), pixels.z);
   float narrowness = max(max(perPixel.x, perPixel.y), perPixel.z);
-  return (1.0 - smoothstep(0.4, 1.4, nearest)) * (1.0 - smoothstep(0.15, 0.6, narrowness));
+  return (1.0 - smoothstep(0.1, 1.1, nearest)) * (1.0 - smoothstep(0.15, 0.6, narrowness));
 }
 
 void main() {
   vec3 lit = lookUp(shownPlace) * light();
-  if (edges) lit *= 1.0 - 0.7 * edgeCover();
+  if (edges) lit *= 1.0 - 0.55 * edgeCover();
   colour = vec4(lit, 1.0);
 }
 `;

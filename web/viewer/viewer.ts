@@ -1,22 +1,28 @@
 import { WebGLRenderer } from 'three';
+import type { Frame } from './frame.ts';
 import { LinkedCameras } from './linked-cameras.ts';
-import { Surface } from './surface.ts';
+import { SurfacePreparer } from './prepare.ts';
+import { type Lookup, Surface } from './surface.ts';
+import type { Triangles } from './surface-arrays.ts';
 
 /** Finer screens gain nothing that can be seen, and cost four times the fragments. */
 const largestPixelRatio = 2;
 
 /**
  * Several surfaces, each in its pane, drawn on one canvas that lies under all panes. It draws only when something changed.
- * Throws where the browser offers no WebGL 2.
+ * Panes are counted from 0. The constructor throws where the browser offers no WebGL 2.
  */
 export class Viewer {
   readonly cameras: LinkedCameras;
-  readonly surfaces: Surface[];
   #canvas: HTMLCanvasElement;
   #panes: HTMLElement[];
   #renderer: WebGLRenderer;
+  #surfaces: Surface[];
+  #preparer = new SurfacePreparer();
+  /** What each pane was last asked to show. */
+  #wanted: (Triangles | null)[];
   #resizes = new ResizeObserver(() => this.#resize());
-  #frame = 0;
+  #nextDraw = 0;
   #fitted = false;
 
   constructor(canvas: HTMLCanvasElement, panes: HTMLElement[]) {
@@ -25,26 +31,65 @@ export class Viewer {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.#renderer.setClearColor(0, 0);
     this.#renderer.setScissorTest(true);
-    this.surfaces = panes.map(() => new Surface());
-    this.cameras = new LinkedCameras(panes, () => this.requestDraw());
-    canvas.addEventListener('webglcontextrestored', () => this.requestDraw());
+    this.#surfaces = panes.map(() => new Surface());
+    this.#wanted = panes.map(() => null);
+    this.cameras = new LinkedCameras(panes, () => this.#requestDraw());
+    canvas.addEventListener('webglcontextrestored', this.#restored);
     for (const element of [canvas, ...panes]) this.#resizes.observe(element);
   }
 
-  /** Draws before the next repaint, once, however often it is asked to. */
-  requestDraw(): void {
-    this.#frame ||= requestAnimationFrame(() => {
-      this.#frame = 0;
-      this.#draw();
-    });
+  /**
+   * Replaces what a pane shows, as soon as it is ready to be drawn and unless something newer was asked for meanwhile.
+   *
+   * @param surface null empties the pane
+   * @param places called when the surface is drawn: the place in the look-up table of each triangle corner
+   */
+  async show(pane: number, surface: Triangles | null, frame: Frame, places: () => Float32Array): Promise<void> {
+    this.#wanted[pane] = surface;
+    const arrays = surface && (await this.#preparer.prepare(surface, frame));
+    if (this.#wanted[pane] !== surface) return;
+    this.#surfaces[pane].draw(arrays, places());
+    this.#requestDraw();
   }
 
+  /** Other places on the surface that a pane shows. */
+  recolour(pane: number, places: Float32Array): void {
+    this.#surfaces[pane].recolour(places);
+    this.#requestDraw();
+  }
+
+  /** How the places of a pane become colours. */
+  setLookup(pane: number, lookup: Lookup): void {
+    this.#surfaces[pane].lookup = lookup;
+    this.#requestDraw();
+  }
+
+  /** Flat shading with edges, or smooth shading. */
+  set edges(shown: boolean) {
+    for (const surface of this.#surfaces) surface.edges = shown;
+    this.#requestDraw();
+  }
+
+  /** Gives back all memory; the viewer is of no use afterwards. */
   dispose(): void {
-    cancelAnimationFrame(this.#frame);
+    cancelAnimationFrame(this.#nextDraw);
+    this.#canvas.removeEventListener('webglcontextrestored', this.#restored);
+    this.#wanted.fill(null);
     this.#resizes.disconnect();
+    this.#preparer.dispose();
     this.cameras.dispose();
-    for (const surface of this.surfaces) surface.dispose();
+    for (const surface of this.#surfaces) surface.dispose();
     this.#renderer.dispose();
+  }
+
+  #restored = (): void => this.#requestDraw();
+
+  /** Draws before the next repaint, once, however often it is asked to. */
+  #requestDraw(): void {
+    this.#nextDraw ||= requestAnimationFrame(() => {
+      this.#nextDraw = 0;
+      this.#draw();
+    });
   }
 
   #resize(): void {
@@ -69,7 +114,7 @@ export class Viewer {
       const [x, y] = [left - canvas.left, canvas.bottom - bottom];
       this.#renderer.setViewport(x, y, width, height);
       this.#renderer.setScissor(x, y, width, height);
-      this.#renderer.render(this.surfaces[index].scene, this.cameras.camera(index));
+      this.#renderer.render(this.#surfaces[index].scene, this.cameras.camera(index));
     });
   }
 }

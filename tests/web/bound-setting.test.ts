@@ -1,0 +1,57 @@
+import { describe, expect, test } from 'vitest';
+import { asBounds, defaultBounds, largestFraction, moveAll, parsePercent } from '../../web/session/bound-setting.ts';
+
+describe('bound settings', () => {
+  test('begin at 1 % in space and 3 % in every variable', () => {
+    expect(asBounds(defaultBounds(['position', 'pressure']))).toEqual({
+      position: { relative: 0.01 },
+      pressure: { relative: 0.03 },
+    });
+  });
+
+  test('survive variables with names that objects have a meaning for', () => {
+    const settings = defaultBounds(['position', '__proto__', 'constructor']);
+    expect(Object.keys(settings)).toEqual(['position', '__proto__', 'constructor']);
+    expect(Object.keys(asBounds(moveAll(settings, 0.1)))).toEqual(['position', '__proto__', 'constructor']);
+  });
+
+  test('a free variable has no bound, and has its old one again when it is bounded', () => {
+    const settings = { ...defaultBounds(['position', 't']), t: { fraction: 0.05, free: true } };
+    expect(asBounds(settings).t).toBe('free');
+    expect(asBounds({ ...settings, t: { ...settings.t, free: false } }).t).toEqual({ relative: 0.05 });
+  });
+
+  test('moving all keeps their proportions and brings the largest to the given one', () => {
+    const moved = moveAll(defaultBounds(['position', 't']), 0.06);
+    expect(asBounds(moved)).toEqual({ position: { relative: 0.02 }, t: { relative: 0.06 } });
+    expect(asBounds(moveAll(moved, 0.03))).toEqual(asBounds(defaultBounds(['position', 't'])));
+  });
+
+  test('the largest one is looked for among those that hold', () => {
+    const settings = { position: { fraction: 0.01, free: false }, t: { fraction: 0.2, free: true } };
+    expect(largestFraction(settings)).toBe(0.01);
+    expect(largestFraction({ t: settings.t })).toBe(0.2);
+  });
+});
+
+describe('a typed percentage', () => {
+  test.each([
+    ['3', 0.03],
+    [' 0.5 ', 0.005],
+    ['25 %', 0.25],
+    ['1e-3', 0.00001],
+  ])('%j is taken', (text, fraction) => {
+    expect(parsePercent(text)).toEqual({ fraction: expect.closeTo(fraction, 12) });
+  });
+
+  test.each([
+    ['', 'needs a number'],
+    ['three', '“three” is not a number'],
+    ['0,5', '“0,5” is not a number'],
+    ['-3', 'cannot be negative'],
+    ['0', 'cannot be zero'],
+    ['Infinity', 'must be finite'],
+  ])('%j is refused with a reason', (text, reason) => {
+    expect(parsePercent(text)).toEqual({ fault: expect.stringContaining(reason) });
+  });
+});

@@ -1,0 +1,83 @@
+import { describe, expect, test } from 'vitest';
+import type { Report, VariableReport } from '../../wasm/types.ts';
+import { heldBackSentence, promiseSentence } from '../../web/page/promise-words.ts';
+
+function variable(name: string, fraction: number, ratio: number, refused = 0): VariableReport {
+  const bound = 200 * fraction;
+  return {
+    name,
+    components: 1,
+    extent: 200,
+    magnitude: 500,
+    constant: false,
+    bound,
+    error: bound * ratio,
+    ratio,
+    refused,
+  };
+}
+
+function free(name: string): VariableReport {
+  return { ...variable(name, 0, 0), bound: Infinity, error: 90 };
+}
+
+function report(variables: VariableReport[], refused: Partial<Report['refused']> = {}): Report {
+  return {
+    triangles: { before: 99980, after: 806 },
+    vertices: { before: 49992, after: 405 },
+    variables,
+    refused: { fixed: 0, topology: 0, fold: 0, ...refused },
+    oddities: { repeatedVertexTriangles: 0, zeroAreaTriangles: 0, unusedVertices: 0 },
+    nonManifoldVertices: 0,
+    stopped: 'finished',
+    seconds: 0.3,
+  };
+}
+
+const plain = (text: string) => text.replace(/[\u202f\u00a0]/g, ' ');
+const sentence = (variables: VariableReport[]) => plain(promiseSentence(report(variables)));
+
+describe('the promise', () => {
+  test('states counts, every bound and the one that is used most', () => {
+    expect(
+      sentence([variable('position', 0.01, 0.9), variable('pressure', 0.03, 0.99), variable('density', 0.02, 0.3)]),
+    ).toBe(
+      '806 of 99 980 triangles. Every point within 1 % in space, 3 % in pressure, 2 % in density: proved; ' +
+        'most used: pressure, 2.97 %.',
+    );
+  });
+
+  test('puts variables with one bound together', () => {
+    expect(sentence([variable('position', 0.03, 0.1), variable('a', 0.03, 0), variable('b', 0.03, 0)])).toContain(
+      'within 3 % in space, a and b: proved',
+    );
+  });
+
+  test('claims nothing of free variables, and names them', () => {
+    const text = sentence([free('position'), variable('a', 0.03, 0.5), free('b')]);
+    expect(text).toContain('within 3 % in a: proved; most used: a, 1.5 %. Free, so nothing promised: space and b.');
+  });
+
+  test('proves nothing where everything is free', () => {
+    expect(sentence([free('position'), free('a')])).not.toContain('proved');
+  });
+
+  test('takes the percentage of a constant variable from its magnitude', () => {
+    const constant = { ...variable('density', 0, 0.5), constant: true, extent: 0, bound: 15, error: 7.5 };
+    expect(sentence([constant])).toContain('within 3 % in density: proved; most used: density, 1.5 %.');
+  });
+
+  test('says so where nothing was changed', () => {
+    expect(sentence([variable('position', 0.01, 0)])).toContain('proved; no error at all.');
+  });
+});
+
+describe('what holds a result back', () => {
+  test('is listed with its share, the largest first', () => {
+    const held = report([variable('position', 0.01, 1, 30), variable('t', 0.03, 1, 60)], { fold: 10 });
+    expect(plain(heldBackSentence(held))).toBe('Held back by t 60 %, space 30 %, folds 10 %.');
+  });
+
+  test('is not mentioned where nothing does', () =>
+    expect(heldBackSentence(report([variable('t', 0.03, 0)]))).toBe(''));
+});

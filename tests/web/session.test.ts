@@ -1,0 +1,181 @@
+import { describe, expect, test, vi } from 'vitest';
+import type { Mesh, ReduceOptions, Reduction } from '../../wasm/types.ts';
+import type { OpenedFile } from '../../web/session/read.ts';
+import type { Services } from '../../web/session/services.ts';
+import { Session } from '../../web/session/session.ts';
+
+function meshWith(...names: string[]): Mesh {
+  const variables = names.map((name) => ({ name, components: 1, values: new Float32Array(3) }));
+  return { position: new Float32Array(9), triangles: new Uint32Array([0, 1, 2]), variables };
+}
+
+function fileWith(mesh: Mesh): OpenedFile {
+  return { mesh, notes: [], labels: { units: {}, componentNames: {} } };
+}
+
+const inspect: Services['inspect'] = async ({ variables }) => ({
+  triangles: 1,
+  vertices: 3,
+  variables: ['position', ...variables.map(({ name }) => name)].map((name) => ({
+    name,
+    components: 1,
+    extent: 1,
+    magnitude: 1,
+    constant: false,
+  })),
+  oddities: { repeatedVertexTriangles: 0, zeroAreaTriangles: 0, unusedVertices: 2 },
+});
+
+/** A reduction that ends when the test says so. */
+interface Run {
+  mesh: Mesh;
+  options: ReduceOptions;
+  finish(): void;
+  fail(error: Error): void;
+}
+
+function setUp(overrides: Partial<Services> = {}) {
+  const runs: Run[] = [];
+  const services: Services = {
+    inspect,
+    reduce: (mesh, options) =>
+      new Promise((resolve, reject) => {
+        options.signal?.addEventListener('abort', () => reject(new DOMException('aborted', 'AbortError')));
+        runs.push({ mesh, options, finish: () => resolve({ mesh } as Reduction), fail: reject });
+      }),
+    read: async () => fileWith(meshWith('pressure')),
+    fetchBytes: async () => new Uint8Array(),
+    ...overrides,
+  };
+  return { session: new Session(services), runs };
+}
+
+const file = (name: string) => new File(['bytes'], name);
+const settled = () => new Promise((resolve) => setTimeout(resolve, 100));
+const texts = (session: Session) => session.state.notices.map(({ text }) => text);
+
+describe('opening', () => {
+  test('reduces at the first bounds and keeps the result', async () => {
+    const { session, runs } = setUp();
+    await session.openFile(file('a.ply'));
+    expect(runs).toHaveLength(1);
+    expect(runs[0].options.bounds).toEqual({ position: { relative: 0.01 }, pressure: { relative: 0.03 } });
+    runs[0].finish();
+    await settled();
+    expect(session.state.result?.mesh).toBe(session.state.surface?.mesh);
+    expect(session.state.progress).toBeNull();
+  });
+
+  test('says what is odd about the surface', async () => {
+    const { session } = setUp();
+    await session.openFile(file('a.ply'));
+    expect(texts(session)).toEqual(['2 vertices belong to no triangle: left out of the result.']);
+  });
+
+  test('a file that cannot be read leaves everything as it was, and says why', async () => {
+    const read = vi.fn<Services['read']>();
+    read.mockResolvedValueOnce(fileWith(meshWith('pressure'))).mockRejectedValueOnce(new Error('The file is empty.'));
+    const { session, runs } = setUp({ read });
+    await session.openFile(file('good.ply'));
+    runs[0].finish();
+    await settled();
+    const { surface, result, bounds } = session.state;
+    await session.openFile(file('bad.ply'));
+    expect(session.state).toMatchObject({
+      opening: null,
+      notices: [{ kind: 'error', text: 'bad.ply: The file is empty.' }],
+    });
+    expect(session.state.surface).toBe(surface);
+    expect(session.state.result).toBe(result);
+    expect(session.state.bounds).toBe(bounds);
+  });
+
+  test('of two files the one that was chosen last stays', async () => {
+    const slow = meshWith('slow');
+    const fast = meshWith('fast');
+    const read: Services['read'] = async (name) => {
+      if (name === 'slow.ply') await settled();
+      return fileWith(name === 'slow.ply' ? slow : fast);
+    };
+    const { session } = setUp({ read });
+    await Promise.all([session.openFile(file('slow.ply')), session.openFile(file('fast.ply'))]);
+    expect(session.state.surface?.mesh).toBe(fast);
+    expect(session.state.opening).toBeNull();
+  });
+
+  test('offers to leave out a variable that is no number', async () => {
+    const fault = Object.assign(new Error('“pressure” is NaN at vertex 1.'), {
+      code: 'non_finite_value',
+      variable: 'pressure',
+    });
+    const { session } = setUp({
+      inspect: async (mesh) => {
+        if (mesh.variables.some(({ name }) => name === 'pressure')) throw fault;
+        return inspect(mesh);
+      },
+    });
+    await session.openFile(file('a.ply'));
+    expect(session.state.surface).toBeNull();
+    const [notice] = session.state.notices;
+    expect(notice.remedy?.label).toContain('pressure');
+    notice.remedy?.take();
+    await settled();
+    expect(session.state.surface?.mesh.variables).toEqual([]);
+    expect(texts(session)).toContain('The variable “pressure” was left out.');
+  });
+});
+
+describe('changing a bound', () => {
+  async function opened() {
+    const { session, runs } = setUp();
+    await session.openFile(file('a.ply'));
+    return { session, runs };
+  }
+
+  test('aborts the running reduction and starts one with the new bound', async () => {
+    const { session, runs } = await opened();
+    session.setBound('pressure', { fraction: 0.1, free: false });
+    expect(runs[0].options.signal?.aborted).toBe(true);
+    await settled();
+    expect(runs).toHaveLength(2);
+    expect(runs[1].options.bounds.pressure).toEqual({ relative: 0.1 });
+  });
+
+  test('many changes in a row start one reduction, with the last of them', async () => {
+    const { session, runs } = await opened();
+    for (const fraction of [0.04, 0.05, 0.06]) session.setBound('pressure', { fraction, free: false });
+    await settled();
+    expect(runs).toHaveLength(2);
+    expect(runs[1].options.bounds.pressure).toEqual({ relative: 0.06 });
+  });
+
+  test('the outcome of an aborted reduction is never shown', async () => {
+    const { session, runs } = await opened();
+    session.setAllBounds(0.1);
+    runs[0].finish();
+    await settled();
+    expect(session.state.result).toBeNull();
+    runs[0].options.onProgress?.(0.9);
+    expect(session.state.progress).toBe(0);
+  });
+
+  test('a bound that the reduction refuses leaves the last result', async () => {
+    const { session, runs } = await opened();
+    runs[0].finish();
+    await settled();
+    const { result } = session.state;
+    session.setBound('pressure', { fraction: 1e-30, free: false });
+    await settled();
+    runs[1].fail(new Error('The bound is too fine.'));
+    await settled();
+    expect(session.state.result).toBe(result);
+    expect(session.state.progress).toBeNull();
+    expect(texts(session)).toContain('The bound is too fine.');
+  });
+
+  test('a notice goes when it is dismissed', async () => {
+    const { session } = await opened();
+    session.dismiss(session.state.notices[0].id);
+    expect(session.state.notices).toEqual([]);
+  });
+});
