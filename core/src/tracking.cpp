@@ -43,8 +43,20 @@ double Tracking::diagonal(int i, int j) {
     return sum;
 }
 
+/// The squared errors that the inner vertices in this triangle could have at their best places in it: charging the tracked
+/// instead of the introduced error leaves 2 % fewer triangles.
 double Tracking::triangle(int a, int m, int b) {
-    return map_.holds_candidate(a, m, b) ? squared_ratio(map_.candidate(a, m, b), rows_->groups()) : 0;
+    const glm::dvec2 &p = hole_->places[at(a)], &q = hole_->places[at(m)], &r = hole_->places[at(b)];
+    const JointTriangle joint(*rows_, ring_row(a), ring_row(m), ring_row(b));
+    double sum = 0;
+    for (const InnerVertex& inner : content_.vertices()) {
+        if (inner.host != InnerVertex::Host::triangle || orientation(p, q, inner.place) < 0 ||
+            orientation(q, r, inner.place) < 0 || orientation(r, p, inner.place) < 0)
+            continue;
+        const double* row = (*rows_)[inner.vertex];
+        sum += error_at(row, {a, m, b}, joint.nearest(row));
+    }
+    return sum;
 }
 
 const double* Tracking::ring_row(int i) const { return (*rows_)[hole_->ring[at(i)]]; }
