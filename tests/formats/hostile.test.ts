@@ -7,14 +7,19 @@ import { writeSurface } from '../../web/formats/write.ts';
 import { fingerprint, mixedVariables, smallMesh } from './sample-mesh.ts';
 
 const fixtures = new URL('fixtures/', import.meta.url);
-const mesh = smallMesh(mixedVariables());
+const kept = ['pressure', 'temperature', 'velocity', 'Mach number'];
+const mesh = smallMesh(mixedVariables().filter(({ name }) => kept.includes(name)));
+
+/** For a busy machine; what is tested here takes well below a second a file. */
+const patience = 60_000;
 const files: [name: string, bytes: Uint8Array][] = [
   ['ASCII PLY', await writeSurface('ply', mesh, { encoding: 'ascii' })],
   ['binary PLY', await writeSurface('ply', mesh)],
   ['big-endian PLY', await writeSurface('ply', mesh, { encoding: 'binary_big_endian' })],
   ['VTP', await writeSurface('vtp', mesh)],
+  ['legacy VTK', await writeSurface('vtk', mesh)],
   ...readdirSync(fixtures)
-    .filter((name) => /\.(vtp)$/.test(name))
+    .filter((name) => /\.(vtp|vtk)$/.test(name))
     .map((name): [string, Uint8Array] => [name, new Uint8Array(readFileSync(new URL(name, fixtures)))]),
 ];
 
@@ -29,40 +34,52 @@ async function outcome(bytes: Uint8Array) {
 }
 
 describe.each(files)('%s', (name, bytes) => {
-  it('cut anywhere is an error with a name, or still whole', async () => {
-    const whole = await outcome(bytes);
-    for (let length = 0; length < bytes.length; length++) {
-      const cut = await outcome(bytes.subarray(0, length));
-      if (cut instanceof FormatError) continue;
-      // Only white space at the end may go unnoticed; a cut inside the last number of a text is at least suspected.
-      const suspected = cut.notes.some((note) => note.includes('line break'));
-      if (suspected) expect(name).toBe('ASCII PLY');
-      else expect(fingerprint(cut.mesh)).toEqual(whole instanceof FormatError ? whole : fingerprint(whole.mesh));
-      expect(new TextDecoder().decode(bytes.subarray(length)).trim()).toMatch(suspected ? /^\d*$/ : /^$/);
-    }
-  });
-
-  it('with any bytes changed, added or gone is an error with a name, or a mesh that holds together', async () => {
-    const change = fc.record({
-      at: fc.nat(bytes.length),
-      removed: fc.oneof(fc.constantFrom(0, 1, 4), fc.nat(100)),
-      added: fc.oneof(
-        fc.uint8Array({ maxLength: 8 }),
-        fc
-          .constantFrom('-1', '4294967295', '999999999999', '1e99', 'nan', '<', '">', '&x;', '\n', ' ')
-          .map((text) => new TextEncoder().encode(text)),
-      ),
-    });
-    const property = fc.asyncProperty(fc.array(change, { minLength: 1, maxLength: 3 }), async (changes) => {
-      let changed = bytes;
-      for (const { at, removed, added } of changes) {
-        changed = Uint8Array.of(...changed.subarray(0, at), ...added, ...changed.subarray(at + removed));
+  it(
+    'cut anywhere is an error with a name, or still whole',
+    async () => {
+      const whole = await outcome(bytes);
+      const parts = whole instanceof FormatError ? [] : fingerprint(whole.mesh);
+      // Legacy VTK declares no length: whole arrays and strips may be gone from its end.
+      const declaresLength = !/vtk$/i.test(name);
+      for (let length = 0; length < bytes.length; length++) {
+        const cut = await outcome(bytes.subarray(0, length));
+        if (cut instanceof FormatError) continue;
+        const found = fingerprint(cut.mesh);
+        // The last number of a text may have lost digits, but then that is suspected.
+        const suspected = cut.summary.includes('line break') ? found.pop() : '';
+        const lost = parts.filter((part) => !found.includes(part) && !(declaresLength && suspected));
+        if (declaresLength) expect(lost).toEqual([]);
+        expect(found.filter((part) => !parts.some((whole) => whole.startsWith(part)))).toEqual([]);
       }
-      const result = await outcome(changed);
-      if (!(result instanceof FormatError)) expectToHoldTogether(result.mesh);
-    });
-    await fc.assert(property, { numRuns: 300 });
-  });
+    },
+    patience,
+  );
+
+  it(
+    'with any bytes changed, added or gone is an error with a name, or a mesh that holds together',
+    async () => {
+      const change = fc.record({
+        at: fc.nat(bytes.length),
+        removed: fc.oneof(fc.constantFrom(0, 1, 4), fc.nat(100)),
+        added: fc.oneof(
+          fc.uint8Array({ maxLength: 8 }),
+          fc
+            .constantFrom('-1', '4294967295', '999999999999', '1e99', 'nan', '<', '">', '&x;', '\n', ' ')
+            .map((text) => new TextEncoder().encode(text)),
+        ),
+      });
+      const property = fc.asyncProperty(fc.array(change, { minLength: 1, maxLength: 3 }), async (changes) => {
+        let changed = bytes;
+        for (const { at, removed, added } of changes) {
+          changed = Uint8Array.of(...changed.subarray(0, at), ...added, ...changed.subarray(at + removed));
+        }
+        const result = await outcome(changed);
+        if (!(result instanceof FormatError)) expectToHoldTogether(result.mesh);
+      });
+      await fc.assert(property, { numRuns: 300 });
+    },
+    patience,
+  );
 });
 
 function expectToHoldTogether({ position, triangles, variables }: typeof mesh): void {

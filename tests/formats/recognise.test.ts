@@ -19,7 +19,6 @@ describe('a file', () => {
   });
 
   it.each([
-    ['# vtk DataFile Version 4.2\nx\nASCII', 'legacy VTK'],
     ['glTF\u0002\0\0\0', 'GLB'],
     ['{"scenes":[],"asset":{"version":"2.0"}}', 'glTF'],
     ['solid x\n facet normal 0 0 1\n', 'STL'],

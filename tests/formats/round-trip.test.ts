@@ -11,6 +11,7 @@ const ways: [label: string, format: Format, options: WriteOptions][] = [
   ['PLY, little endian', 'ply', { encoding: 'binary_little_endian' }],
   ['PLY, big endian', 'ply', { encoding: 'binary_big_endian' }],
   ['VTP', 'vtp', {}],
+  ['legacy VTK', 'vtk', {}],
 ];
 
 /** Names that every format can hold: XML has no control characters and no halves of surrogate pairs. */

@@ -6,6 +6,7 @@ import type { Format, Surface } from './surface.ts';
 const readers: Record<Format, () => Promise<(bytes: Uint8Array) => Surface | Promise<Surface>>> = {
   ply: async () => (await import('./read-ply.ts')).readPly,
   vtp: async () => (await import('./read-vtp.ts')).readVtp,
+  vtk: async () => (await import('./read-vtk.ts')).readVtk,
 };
 
 export interface SurfaceFile extends Surface {

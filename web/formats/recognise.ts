@@ -18,7 +18,7 @@ const signatures: Signature[] = [
     format: 'vtp',
     called: 'VTK XML',
   },
-  { begins: /^# vtk DataFile/i, called: 'legacy VTK' },
+  { begins: /^# vtk DataFile/i, format: 'vtk', called: 'legacy VTK' },
   { begins: 'glTF', called: 'GLB' },
   { begins: /^\s*solid\b[\s\S]*\bfacet\b/, called: 'STL' },
   { begins: /^\s*\{[\s\S]*"asset"/, called: 'glTF' },

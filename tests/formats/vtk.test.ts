@@ -1,0 +1,166 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { readSurface } from '../../web/formats/read.ts';
+import { expectFault } from './faults.ts';
+import { bits, bytesOf, fingerprint } from './sample-mesh.ts';
+
+const fixtures = new URL('fixtures/', import.meta.url);
+const vtkFiles = readdirSync(fixtures).filter((name) => name.endsWith('.vtk'));
+
+describe.each(vtkFiles)('legacy VTK by VTK, %s', (name) => {
+  it('is read with every array as VTK had it', async () => {
+    const bytes = new Uint8Array(readFileSync(new URL(name, fixtures)));
+    const { mesh, notes, units, componentNames } = await readSurface(name, bytes);
+    // As text VTK writes six digits of a float and eleven of a double.
+    const short = (value: number, digits: number) =>
+      name.includes('ascii') ? Number(value.toPrecision(digits)) : value;
+    expect(bits(mesh.position)).toBe(bits(Float32Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.1, 0.5, 0.5, 1)));
+    expect(Array.from(mesh.triangles)).toEqual([3, 2, 1, 3, 1, 0, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4]);
+    const repeated = (...values: number[]) => Array(5).fill(values).flat();
+    expect(fingerprint(mesh).slice(2)).toEqual([
+      `pressure 1 ${bits(Float32Array.of(1.1, 2.2, 3.3, 4.4, 5.5))}`,
+      `wind speed 3 ${bits(Float64Array.from(repeated(0, 0.1, 1)))}`,
+      `normal 3 ${bits(Float32Array.from(repeated(0, 0, 1)))}`,
+      `uv 2 ${bits(Float32Array.from(repeated(0, 0.5)))}`,
+      `stress 9 ${bits(Float32Array.from(repeated(0, 1, 2, 3, 4, 5, 6, 7, 8)))}`,
+      `gid 1 ${bits(Float32Array.of(0, 1, 2, 3, 4))}`,
+      `temperature 1 ${bits(Float64Array.of(0.1, 0.2, short(1 / 3, 11), 1e-300, 0.7))}`,
+      `velocity 3 ${bits(Float32Array.from({ length: 15 }, (_, i) => short(Math.fround(i / 7), 6)))}`,
+      `flag 1 ${bits(Float32Array.of(0, 1, 2, 3, 255))}`,
+      `bits 1 ${bits(Float32Array.of(0, 1, 0, 1, 0))}`,
+    ]);
+    expect({ ...units }).toEqual({ pressure: 'kg/(m s²)' });
+    expect({ ...componentNames }).toEqual({ velocity: ['u', 'v', 'w'] });
+    expect(notes).toEqual([
+      'Not carried: point data “label”; cell data “region”; field data “TimeValue”; 1 vertex cell; 1 line.',
+      'Whole numbers in the file, floating point from here on: “gid”, “flag”, “bits”.',
+      '1 polygon with more than three corners split into triangles.',
+      '1 triangle strip taken apart into triangles.',
+    ]);
+  });
+});
+
+const head = '# vtk DataFile Version 2.0\ntitle\nASCII\nDATASET POLYDATA\n';
+const points = 'POINTS 3 float\n0 0 0 1 0 0 0 1 0\n';
+const triangle = 'POLYGONS 1 4\n3 0 1 2\n';
+const geometry = head + points + triangle;
+
+describe('legacy VTK attributes', () => {
+  const read = async (text: string) => {
+    const { mesh, summary } = await readSurface('', bytesOf(`${geometry}POINT_DATA 3\n${text}`));
+    return { variables: mesh.variables.map(({ name, values }) => `${name} ${Array.from(values).join(' ')}`), summary };
+  };
+
+  it('are read without LOOKUP_TABLE, in any case, with several components', async () => {
+    const text = 'Scalars a float 2\n1 2 3 4 5 6\nscalars b int\nlookup_table default\n7 8 9\n';
+    expect((await read(text)).variables).toEqual(['a 1 2 3 4 5 6', 'b 7 8 9']);
+  });
+
+  it('are read past colour maps and colours', async () => {
+    const text =
+      'SCALARS a float 1\nLOOKUP_TABLE map\n1 2 3\nLOOKUP_TABLE map 2\n0 0 0 1\n1 1 1 1\nCOLOR_SCALARS c 2\n0 .5 1 0 0 1\n';
+    expect((await read(text)).variables).toEqual(['a 1 2 3', 'c 0 0.5 1 0 0 1']);
+  });
+
+  it('are left out by name if they belong to cells or are text', async () => {
+    const text =
+      'FIELD f 2\nlabel 1 3 string\na\n\nb\nq 1 3 int\n1 2 3\nCELL_DATA 1\nSCALARS c float\nLOOKUP_TABLE default\n1\nPOINT_DATA 3\nVECTORS v float\n0 0 0 0 0 0 0 0 0\n';
+    const { variables, summary } = await read(text);
+    expect(variables).toEqual(['q 1 2 3', 'v 0 0 0 0 0 0 0 0 0']);
+    expect(summary).toContain('point data “label”; cell data “c”');
+  });
+
+  it('may be named like keywords', async () => {
+    const text = 'FIELD f 3\nMETADATA 1 3 int\n1 2 3\nPOINTS 1 3 int\n1 2 3\n__proto__ 1 3 int\n1 2 3\n';
+    expect((await read(text)).variables).toEqual(['METADATA 1 2 3', 'POINTS 1 2 3', '__proto__ 1 2 3']);
+  });
+
+  it('that are missing raise a suspicion', async () => {
+    expect((await read('')).summary).toContain('may have been cut short');
+  });
+});
+
+describe('a legacy VTK file', () => {
+  it.each([
+    ['without an encoding', '# vtk DataFile Version 2.0\ntitle\nUTF8\n\n\n', 'bad_header', 'ASCII or BINARY'],
+    [
+      'without a data set',
+      '# vtk DataFile Version 2.0\ntitle\nASCII\nPOINTS 1 float\n0 0 0\n',
+      'bad_header',
+      'DATASET',
+    ],
+    [
+      'of another kind',
+      '# vtk DataFile Version 2.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS',
+      'unsupported_format',
+      'Extract Surface',
+    ],
+    ['without points', head, 'no_points', 'POINTS'],
+    ['with no points', `${head}POINTS 0 float\n${triangle}`, 'no_points', 'no points'],
+    ['without polygons', head + points, 'no_triangles', '3 points'],
+    ['with an unknown keyword', `${geometry}SPAM 3\n`, 'bad_header', '“SPAM”', 'line 9'],
+    ['with attributes of nothing', `${geometry}SCALARS a float\n1 2 3\n`, 'bad_header', '“SCALARS”'],
+    ['with an unknown type', `${head}POINTS 3 quad\n`, 'truncated', '“quad”'],
+    ['with an unknown type', `${head}POINTS 3 quad\n0 0 0\n`, 'unsupported_feature', '“quad”', 'line 5'],
+    ['with a negative count', `${head}POINTS -3 float\n0 0 0\n`, 'bad_header', '“-3”'],
+    ['with 2^32 − 1 points', `${head}POINTS 4294967295 float\n0 0 0\n`, 'truncated', '12 884 901 885 numbers'],
+    ['with 2^32 − 1 cells', `${head + points}POLYGONS 4294967295 4294967295\n3 0 1 2\n`, 'truncated', 'POLYGONS'],
+    ['with more cells than numbers', `${head + points}POLYGONS 5 4\n3 0 1 2\n`, 'count_mismatch', 'POLYGONS'],
+    ['with more numbers than cells', `${head + points}POLYGONS 1 5\n3 0 1 2 0\n`, 'count_mismatch', 'take 4'],
+    ['with a huge cell', `${head + points}POLYGONS 1 4\n2000000000 0 1 2\n`, 'bad_polygon', '2000000000 corners'],
+    ['with a negative cell', `${head + points}POLYGONS 1 4\n-1 0 1 2\n`, 'bad_polygon', '-1 corners'],
+    ['with a cell of two corners', `${head + points}POLYGONS 1 3\n2 0 1\n`, 'bad_polygon', 'Polygon 0', '2 corners'],
+    ['with an index beyond the points', `${head + points}POLYGONS 1 4\n3 0 1 3\n`, 'bad_index', 'Polygon 0', 'point 3'],
+    ['with a negative index', `${head + points}POLYGONS 1 4\n3 0 -1 2\n`, 'bad_index', '-1'],
+    ['with other counts of data', `${geometry}POINT_DATA 4\n`, 'count_mismatch', '4 points'],
+    [
+      'with other counts of a field',
+      `${geometry}POINT_DATA 3\nFIELD f 1\na 1 2 float\n1 2\n`,
+      'count_mismatch',
+      '“a”',
+      '2 tuples',
+    ],
+    ['with too few values', `${geometry}POINT_DATA 3\nSCALARS a float\nLOOKUP_TABLE default\n1 2`, 'truncated', '“a”'],
+    [
+      'with too many values',
+      `${geometry}POINT_DATA 3\nSCALARS a float\nLOOKUP_TABLE default\n1 2 3 4\n`,
+      'bad_header',
+      '“4”',
+    ],
+    [
+      'with a word for a number',
+      `${geometry}POINT_DATA 3\nSCALARS a float\nLOOKUP_TABLE default\n1 two 3\n`,
+      'bad_number',
+      '“two”',
+    ],
+    [
+      'with one array twice',
+      `${geometry}POINT_DATA 3\nSCALARS a int\n1 2 3\nSCALARS a int\n1 2 3\n`,
+      'duplicate_name',
+      '“a”',
+    ],
+    ['with a nameless array', `${geometry}POINT_DATA 3\nFIELD f 1\n`, 'truncated', 'count'],
+    [
+      'with too few field arrays',
+      `${geometry}POINT_DATA 3\nFIELD f 4294967295\na 1 3 int\n1 2 3\n`,
+      'truncated',
+      'count',
+    ],
+    ['with endless texts', `${geometry}POINT_DATA 3\nFIELD f 1\na 999999999 3 string\nx\n`, 'truncated', '“a”'],
+    ['with a name that is not UTF-8', `${geometry}POINT_DATA 3\nSCALARS %FF int\n1 2 3\n`, 'bad_encoding', '“%FF”'],
+  ] as const)('%s is refused', async (_, file, code, ...words) => {
+    await expectFault(file, code, ...words);
+  });
+
+  it('of version 5 with contradicting offsets is refused', async () => {
+    const file = (offsets: string, connectivity: string) =>
+      `${(head + points).replace('2.0', '5.1')}POLYGONS 2 3\nOFFSETS vtktypeint64\n${offsets}\nCONNECTIVITY vtktypeint64\n${connectivity}\n`;
+    const { mesh } = await readSurface('', bytesOf(file('0 3', '0 1 2')));
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2]);
+    await expectFault(file('0 2', '0 1 2'), 'count_mismatch', 'OFFSETS');
+    await expectFault(file('1 3', '0 1 2'), 'count_mismatch', 'OFFSETS');
+    await expectFault(file('3 0', '0 1 2'), 'bad_polygon', 'OFFSETS');
+    await expectFault(file('0 3', '0 1 -2'), 'bad_index', '-2');
+    await expectFault(file('0 3', '0 1 2').replace('CONNECTIVITY', 'CONNECT'), 'bad_header', '“CONNECT”');
+  });
+});
