@@ -140,7 +140,7 @@ export class App extends LitElement {
           .surface=${surface}
           .result=${result}
           .settings=${this.settings}
-          @stage-fault=${({ detail }: CustomEvent<string>) => this.session.report(detail)}
+          @stage-fault=${({ detail }: CustomEvent<string>) => this.session.report(detail, { lasting: true })}
         ></meshbound-stage>
         <meshbound-notices
           .notices=${notices}

@@ -3,7 +3,7 @@ import { aboveBoundColour, cssColour, cssGradient, missingColour } from '../colo
 import { placeIn, roundTicks } from '../colour/colour-range.ts';
 import type { Meaning } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
-import { valueText, withUnit } from './number-text.ts';
+import { valueText } from './number-text.ts';
 
 /** About how many numbers stand under the bar, its ends not counted. */
 const tickCount = 4;

@@ -53,16 +53,23 @@ export class Toolbar extends LitElement {
         align-items: center;
         white-space: nowrap;
       }
+      /* Fixed, so that the bar does not change its shape when variables come. */
       select {
-        max-width: 180px;
+        width: 150px;
         text-overflow: ellipsis;
+      }
+      select.narrow {
+        width: 104px;
       }
       @media (max-width: 800px) {
         .view {
           margin-left: 0;
         }
         select {
-          max-width: 124px;
+          width: 124px;
+        }
+        select.narrow {
+          width: 96px;
         }
       }
     `,
@@ -116,7 +123,7 @@ export class Toolbar extends LitElement {
       <label><span class="soft">Colour</span>${this.#variableChoice()}</label>
       <label>
         <span class="soft">Map</span>
-        <select @change=${(event: Event) => this.#change({ map: chosen(event) as ValueColormap })}>
+        <select class="narrow" @change=${(event: Event) => this.#change({ map: chosen(event) as ValueColormap })}>
           ${valueColormaps.map((name) => html`<option .selected=${live(name === map)}>${name}</option>`)}
         </select>
       </label>

@@ -29,6 +29,8 @@ export interface Notice {
   id: number;
   kind: 'error' | 'note';
   text: string;
+  /** It is not about the file, and stays when another one is opened. */
+  lasting?: boolean;
   /** A way out that the user may take. */
   remedy?: { label: string; take: () => void };
 }
@@ -89,8 +91,9 @@ export class Session extends EventTarget {
     this.#setBounds(moveAll(this.#state.bounds, fraction));
   }
 
-  report(error: unknown): void {
-    this.#notify({ kind: 'error', text: messageOf(error) });
+  /** Tells the user of a fault; a lasting one is not about the file that is open. */
+  report(error: unknown, { lasting = false } = {}): void {
+    this.#notify({ kind: 'error', text: messageOf(error), lasting });
   }
 
   dismiss(id: number): void {
@@ -98,7 +101,7 @@ export class Session extends EventTarget {
   }
 
   async #open(source: Source, load: () => Promise<OpenedFile>): Promise<void> {
-    this.#update({ opening: source.name, notices: [] });
+    this.#update({ opening: source.name, notices: this.#state.notices.filter(({ lasting }) => lasting) });
     let file: OpenedFile | undefined;
     try {
       const inspected = await this.#opening.run(async () => {

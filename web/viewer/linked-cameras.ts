@@ -21,7 +21,10 @@ interface Seat {
 export class LinkedCameras {
   #seats: Seat[];
   #linked = true;
-  #copying = false;
+  /** Whether cameras move because this class moves them. */
+  #moving = false;
+  /** Whether nobody has moved a camera since everything was fitted into view. */
+  #fitted = true;
   #changed: () => void;
 
   constructor(panes: HTMLElement[], changed: () => void) {
@@ -46,6 +49,7 @@ export class LinkedCameras {
 
   /** Brings the whole unit sphere into every view, seen from the first direction. */
   fit(): void {
+    this.#moving = true;
     for (const { camera, controls } of this.#seats) {
       const narrower = Math.min(1, camera.aspect);
       const halfAngle = Math.atan(Math.tan((fieldOfView * Math.PI) / 360) * narrower);
@@ -53,15 +57,19 @@ export class LinkedCameras {
       camera.position.copy(firstDirection).multiplyScalar(margin / Math.sin(halfAngle));
       controls.update();
     }
+    this.#moving = false;
+    this.#fitted = true;
     this.#changed();
   }
 
-  /** Width / height of a pane. */
-  setAspect(pane: number, aspect: number): void {
-    const { camera } = this.#seats[pane];
-    if (camera.aspect === aspect) return;
-    camera.aspect = aspect;
-    camera.updateProjectionMatrix();
+  /** Width / height of each pane. What was fitted into view stays so. */
+  setAspects(aspects: number[]): void {
+    aspects.forEach((aspect, pane) => {
+      const { camera } = this.#seats[pane];
+      camera.aspect = aspect;
+      camera.updateProjectionMatrix();
+    });
+    if (this.#fitted) this.fit();
   }
 
   /** Arrow keys turn, with Shift they move, + and − zoom, 0 fits. Returns whether the key meant anything. */
@@ -98,20 +106,21 @@ export class LinkedCameras {
   }
 
   #moved(seat: Seat): void {
-    if (this.#copying) return;
+    if (this.#moving) return;
+    this.#fitted = false;
     if (this.#linked) this.#follow(seat);
     this.#changed();
   }
 
   #follow(leader: Seat): void {
-    this.#copying = true;
+    this.#moving = true;
     for (const seat of this.#seats) {
       if (seat === leader) continue;
       seat.camera.position.copy(leader.camera.position);
       seat.controls.target.copy(leader.controls.target);
       seat.controls.update();
     }
-    this.#copying = false;
+    this.#moving = false;
     this.#changed();
   }
 }

@@ -23,7 +23,6 @@ export class Viewer {
   #wanted: (Triangles | null)[];
   #resizes = new ResizeObserver(() => this.#resize());
   #nextDraw = 0;
-  #fitted = false;
 
   constructor(canvas: HTMLCanvasElement, panes: HTMLElement[]) {
     this.#canvas = canvas;
@@ -97,12 +96,7 @@ export class Viewer {
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, largestPixelRatio));
     this.#renderer.setSize(clientWidth, clientHeight, false);
-    this.#panes.forEach((pane, index) => {
-      this.cameras.setAspect(index, pane.clientWidth / pane.clientHeight || 1);
-    });
-    // How far a camera must stand back depends on the shape of its pane, which is only known now.
-    if (!this.#fitted) this.cameras.fit();
-    this.#fitted = true;
+    this.cameras.setAspects(this.#panes.map((pane) => pane.clientWidth / pane.clientHeight || 1));
     // A canvas that changes size loses its picture: waiting for the next repaint would flash.
     this.#draw();
   }

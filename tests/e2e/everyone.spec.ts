@@ -1,0 +1,96 @@
+import AxeBuilder from '@axe-core/playwright';
+import { expect, type Page, test } from '@playwright/test';
+import { counts, dropFile, openPage, sentence } from './open-page.ts';
+import { coverage, difference, pictureOf } from './picture.ts';
+import { squareWithNaN } from './surfaces.ts';
+
+async function violations(page: Page): Promise<string[]> {
+  const result = await new AxeBuilder({ page }).analyze();
+  return result.violations.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, failureSummary }) => `${id} ${target} ${failureSummary}`),
+  );
+}
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`axe finds nothing wrong with the ${colorScheme} page, its notices and its faults`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await openPage(page);
+    expect(await violations(page)).toEqual([]);
+    await dropFile(page, 'square.ply', squareWithNaN());
+    await expect(page.getByRole('alert')).toBeVisible();
+    const field = page.getByLabel('Bound of position in percent');
+    await field.fill('0');
+    await field.press('Enter');
+    await expect(page.getByRole('alert')).toHaveCount(2);
+    await page.getByRole('checkbox', { name: 'vx bounded' }).uncheck();
+    expect(await violations(page)).toEqual([]);
+  });
+}
+
+test('everything works from the keyboard, with the focus in sight', async ({ page }) => {
+  await openPage(page);
+  const first = await counts(page);
+  const focused: string[] = [];
+  for (let press = 0; press < 16; press++) {
+    await page.keyboard.press('Tab');
+    focused.push(await describeFocus(page));
+  }
+  expect(focused.map((text) => text.split('|')[1])).not.toContain('hidden');
+  const names = focused.map((text) => text.split('|')[0]);
+  for (const name of ['Open…', 'Sample', 'Edges', 'Fit', 'All bounds', 'Bound of position', 'position bounded']) {
+    expect(names).toContain(name);
+  }
+
+  const slider = page.getByRole('slider', { name: 'All bounds' });
+  await slider.focus();
+  for (let press = 0; press < 5; press++) await slider.press('PageUp');
+  await expect.poll(async () => (await counts(page)).after).toBeLessThan(first.after);
+
+  const pane = page.locator('#original');
+  await expect.poll(async () => coverage(await pictureOf(page, 'original'))).toBeGreaterThan(0.1);
+  const before = await pictureOf(page, 'original');
+  for (const key of ['ArrowLeft', 'ArrowUp', 'Shift+ArrowRight', '+']) await pane.press(key);
+  await expect.poll(async () => difference(before, await pictureOf(page, 'original'))).toBeGreaterThan(0.05);
+  await pane.press('0');
+  await expect.poll(async () => difference(before, await pictureOf(page, 'original'))).toBeLessThan(0.001);
+});
+
+/** Name of what has the focus, and whether one can see that it has. */
+function describeFocus(page: Page): Promise<string> {
+  return page.evaluate(() => {
+    let element = document.activeElement;
+    while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
+    if (!element) return '|hidden';
+    const label =
+      (element as HTMLInputElement).labels?.[0]?.querySelector('span') ?? (element as HTMLInputElement).labels?.[0];
+    const name = element.getAttribute('aria-label') ?? label?.textContent ?? element.textContent ?? '';
+    const { outlineStyle, outlineWidth } = getComputedStyle(element);
+    const visible = outlineStyle !== 'none' && Number.parseFloat(outlineWidth) >= 2;
+    return `${name.trim()}|${visible ? 'visible' : 'hidden'}`;
+  });
+}
+
+test('results are announced', async ({ page }) => {
+  await openPage(page);
+  await expect(page.getByRole('status').filter({ hasText: 'triangles' })).toHaveText(await sentence(page).innerText());
+});
+
+for (const [width, height] of [
+  [320, 640],
+  [390, 844],
+  [1024, 700],
+  [3840, 2160],
+]) {
+  test(`fits ${width} × ${height}`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await openPage(page);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+    for (const side of ['original', 'reduced'] as const) {
+      const pane = page.locator(`#${side}`);
+      await pane.scrollIntoViewIfNeeded();
+      await expect.poll(async () => coverage(await pictureOf(page, side))).toBeGreaterThan(0.05);
+    }
+    await page.getByLabel('Bound of temperature in percent').scrollIntoViewIfNeeded();
+    await expect(page.getByLabel('Bound of temperature in percent')).toBeInViewport({ ratio: 1 });
+  });
+}
