@@ -1,0 +1,110 @@
+/**
+ * Compares Meshbound with the tools that a user would pick instead: how many triangles each leaves at the same bounds.
+ *
+ *     npx tsx tests/peers/compare.ts [--quick] [--surfaces NAME,...] [--bounds GEOMETRY/VARIABLES,...] [--out FILE]
+ *
+ * Bounds are in percent of the extents, 0.1/1,1/3,3/3,6/6,9/9 where none are given; --quick takes three small surfaces and
+ * two bounds. MESHBOUND_DATA names a folder of further surfaces (PLY). The tables go to standard output, and to the file.
+ */
+import { writeFileSync } from 'node:fs';
+import { cpus } from 'node:os';
+import { parseArgs } from 'node:util';
+
+import { bestOfPeer } from './best-of-peer.ts';
+import { meshoptimizer } from './meshoptimizer.ts';
+import { buildNative, Judge } from './native.ts';
+import type { Peer } from './peer.ts';
+import { findSurfaces, quickSurfaces, quickSurfacesWithoutData, readScalars, type SurfaceFile } from './surfaces.ts';
+import { bestPeer, type Row, share, tables } from './table.ts';
+import { vtk } from './vtk.ts';
+
+const usualBounds = '0.1/1,1/3,3/3,6/6,9/9';
+const quickBounds = '1/3,6/6';
+
+/** In percent. */
+interface Bounds {
+  name: string;
+  geometry: number;
+  variables: number;
+}
+
+function parseBounds(text: string): Bounds[] {
+  return text.split(',').map((name) => {
+    const [geometry, variables] = name.split('/').map(Number);
+    if (!(geometry > 0 && variables > 0)) throw new Error(`Not a pair of bounds: "${name}". Bounds look like 1/3.`);
+    return { name, geometry, variables };
+  });
+}
+
+function chooseSurfaces(wanted: string | undefined, isQuick: boolean): SurfaceFile[] {
+  const all = findSurfaces();
+  const named = (names: string[]) => names.flatMap((name) => all.filter((surface) => surface.name === name));
+  if (wanted) {
+    const missing = wanted.split(',').filter((name) => named([name]).length === 0);
+    if (missing.length === 0) return named(wanted.split(','));
+    throw new Error(`No surface "${missing.join('", "')}". There are: ${all.map(({ name }) => name).join(', ')}.`);
+  }
+  if (!isQuick) return all;
+  const quick = named(quickSurfaces);
+  return quick.length > 0 ? quick : named(quickSurfacesWithoutData);
+}
+
+async function findPeers(): Promise<Peer[]> {
+  const peers = [await meshoptimizer(), vtk()];
+  if (!peers[1]) console.error('VTK is left out: install it with apt-get install --no-install-recommends python3-vtk9');
+  return peers.filter((peer) => peer !== undefined);
+}
+
+async function compare({ name, path }: SurfaceFile, bounds: Bounds[], peers: Peer[], judge: Judge): Promise<Row[]> {
+  const mesh = readScalars(path);
+  const triangles = await judge.open(path);
+  const rows: Row[] = [];
+  for (const { name: boundsName, geometry, variables } of bounds) {
+    const task = { path, mesh, bounds: await judge.bound(geometry, variables) };
+    const row: Row = {
+      surface: name,
+      triangles,
+      variables: mesh.variables.length,
+      bounds: boundsName,
+      tracked: await judge.reduce('tracked'),
+      propagated: await judge.reduce('propagated'),
+      peers: {},
+    };
+    for (const peer of peers) {
+      row.peers[peer.name] = await bestOfPeer(peer, `${name}-${boundsName.replace('/', '-')}`, task, judge);
+    }
+    console.error(
+      `${name} at ${boundsName}: ${row.tracked.triangles} against ${bestPeer(row)}, ${share(row).toFixed(2)}`,
+    );
+    rows.push(row);
+  }
+  return rows;
+}
+
+function head(peers: Peer[]): string {
+  const tools = peers.map(({ name, version }) => `${name} ${version}`).join(', ');
+  const date = new Date().toISOString().slice(0, 10);
+  return `Measured on ${date} with ${tools}, Node ${process.versions.node}; ${cpus().length} × ${cpus()[0].model}.`;
+}
+
+const { values: options } = parseArgs({
+  options: {
+    quick: { type: 'boolean', default: false },
+    surfaces: { type: 'string' },
+    bounds: { type: 'string' },
+    out: { type: 'string' },
+  },
+});
+const bounds = parseBounds(options.bounds ?? (options.quick ? quickBounds : usualBounds));
+buildNative();
+const surfaces = chooseSurfaces(options.surfaces, options.quick);
+const peers = await findPeers();
+const judge = new Judge();
+const rows: Row[] = [];
+for (const surface of surfaces) {
+  rows.push(...(await compare(surface, bounds, peers, judge)));
+  // After every surface: a long comparison can be looked at, or ended, on its way.
+  if (options.out) writeFileSync(options.out, `${head(peers)}\n\n${tables(rows)}\n`);
+}
+console.log(`${head(peers)}\n\n${tables(rows)}`);
+for (const tool of [judge, ...peers]) tool.close();
