@@ -21,12 +21,17 @@ struct ErrorRange {
 };
 
 /// How errors are accounted for (§3.3): the one difference between the paper's propagation and the tracked map. The loop
-/// that removes vertices asks in this order, for each candidate: enter, costs (as a HoleCost), measure, and, when the
+/// that removes vertices asks in this order, for each candidate: enter, cost, measure, and, when the
 /// removal is accepted, commit.
-class Accounting : public HoleCost {
+class Accounting {
 public:
+    virtual ~Accounting() = default;
+
     /// Looks at the laid-out hole of a candidate.
     virtual void enter(const Hole& hole) = 0;
+
+    /// What a retriangulation of this hole is charged for.
+    virtual HoleCost& cost() = 0;
 
     /// The worst error after this removal. May stop early, with a lower bound of it, once it is above `squared_limit`.
     virtual Measured measure(const Retriangulation& retriangulation, double squared_limit) = 0;

@@ -5,29 +5,28 @@
 namespace meshbound {
 namespace {
 
-/// Calls `visit(i)` for every component that is bounded.
-template <class Visit> void for_each_bounded(const Rows& rows, const Visit& visit) {
-    for (const RowGroup& group : rows.groups()) {
-        if (!group.bounded) continue;
-        for (int i = group.first; i < group.first + group.count; ++i) visit(i);
-    }
-}
-
 double ratio_within(double numerator, double denominator, double low, double high) {
     if (!(denominator > 0)) return low;
     return std::clamp(numerator / denominator, low, high);
 }
 
+double total(const Lane& lane) { return lane[0] + lane[1]; }
+
 } // namespace
 
-JointTriangle::JointTriangle(const Rows& rows, const double* a, const double* b, const double* c)
-    : rows_(&rows), a_(a), b_(b), c_(c) {
-    for_each_bounded(rows, [&](int i) {
-        const double u = b[i] - a[i], v = c[i] - a[i];
-        uu_ += u * u;
-        uv_ += u * v;
-        vv_ += v * v;
-    });
+JointTriangle::JointTriangle(const MeasuredRows& rows, const double* a, const double* b, const double* c)
+    : a_(a), b_(b), c_(c) {
+    Lane uu = {0, 0}, uv = {0, 0}, vv = {0, 0};
+    for (int i = 0; i < rows.lanes(); ++i) {
+        const Lane u = MeasuredRows::lane(b, i) - MeasuredRows::lane(a, i);
+        const Lane v = MeasuredRows::lane(c, i) - MeasuredRows::lane(a, i);
+        uu += u * u;
+        uv += u * v;
+        vv += v * v;
+    }
+    uu_ = total(uu);
+    uv_ = total(uv);
+    vv_ = total(vv);
 }
 
 /// p and q: the point's dot products with u and v. The nearest of the three edges' nearest points, as (weight of b, of c).
@@ -43,33 +42,29 @@ glm::dvec2 JointTriangle::nearest_on_edges(double p, double q) const {
     return best;
 }
 
-glm::dvec3 JointTriangle::nearest(const double* row) const {
-    double p = 0, q = 0;
-    for_each_bounded(*rows_, [&](int i) {
-        const double d = row[i] - a_[i];
-        p += d * (b_[i] - a_[i]);
-        q += d * (c_[i] - a_[i]);
-    });
+glm::dvec3 JointTriangle::nearest(double p, double q) const {
     const double determinant = uu_ * vv_ - uv_ * uv_;
     glm::dvec2 place((p * vv_ - q * uv_) / determinant, (q * uu_ - p * uv_) / determinant);
     if (!(determinant > 0 && place.x >= 0 && place.y >= 0 && place.x + place.y <= 1)) place = nearest_on_edges(p, q);
     return {std::max(0.0, 1 - place.x - place.y), place.x, place.y};
 }
 
-glm::dvec2 nearest_parameters(const Rows& rows, const JointSegment& first, double s_low, double s_high,
+glm::dvec2 nearest_parameters(const MeasuredRows& rows, const JointSegment& first, double s_low, double s_high,
                               const JointSegment& second) {
-    double uu = 0, uv = 0, vv = 0, uw = 0, vw = 0; // u, v: the segments; w: from the first's start to the second's
-    for_each_bounded(rows, [&](int i) {
-        const double u = first.end[i] - first.start[i], v = second.end[i] - second.start[i];
-        const double w = second.start[i] - first.start[i];
-        uu += u * u;
-        uv += u * v;
-        vv += v * v;
-        uw += u * w;
-        vw += v * w;
-    });
-    // Alternating along one parameter at a time from the unconstrained solution ends at the constrained one after two
-    // steps: the optimum lies inside or on the side of the box that the first step hits.
+    Lane sum_uu = {0, 0}, sum_uv = {0, 0}, sum_vv = {0, 0}, sum_uw = {0, 0}, sum_vw = {0, 0};
+    for (int i = 0; i < rows.lanes(); ++i) { // u, v: the segments; w: from the first's start to the second's
+        const Lane start = MeasuredRows::lane(first.start, i), second_start = MeasuredRows::lane(second.start, i);
+        const Lane u = MeasuredRows::lane(first.end, i) - start, v = MeasuredRows::lane(second.end, i) - second_start;
+        const Lane w = second_start - start;
+        sum_uu += u * u;
+        sum_uv += u * v;
+        sum_vv += v * v;
+        sum_uw += u * w;
+        sum_vw += v * w;
+    }
+    const double uu = total(sum_uu), uv = total(sum_uv), vv = total(sum_vv), uw = total(sum_uw), vw = total(sum_vw);
+    // Clamping one parameter at a time from the unconstrained solution ends at the constrained one or close to it; any
+    // parameters are valid ones.
     const double determinant = uu * vv - uv * uv;
     double s = determinant > 0 ? std::clamp((uw * vv - uv * vw) / determinant, s_low, s_high) : s_low;
     double t = ratio_within(s * uv - vw, vv, 0, 1);

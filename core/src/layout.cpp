@@ -107,4 +107,14 @@ void lay_out(const Rows& rows, Hole& hole) {
     if (hole.open || !project(rows, hole)) lay_out_polar(rows, hole);
 }
 
+glm::dvec3 clamped_barycentric(const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r, const glm::dvec2& s) {
+    glm::dvec3 weight(orientation(p, r, s), orientation(q, p, s), orientation(q, r, p));
+    for (int i = 0; i < 3; ++i) weight[i] = weight[i] > 0 ? weight[i] : 0;
+    const double sum = weight.x + weight.y + weight.z;
+    if (!(sum > 0)) return glm::dvec3(1, 0, 0);
+    weight /= sum;
+    weight.z = std::max(0.0, 1 - weight.x - weight.y); // sums to 1, so that the place is on the triangle
+    return weight;
+}
+
 } // namespace meshbound

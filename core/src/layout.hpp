@@ -21,4 +21,7 @@ inline double orientation(const glm::dvec2& p, const glm::dvec2& q, const glm::d
 /// Sum of the area vectors of the star's triangles: twice its area, along its average normal.
 glm::dvec3 star_normal(const Rows& rows, const Hole& hole);
 
+/// Barycentric coordinates of p in the triangle q, r, s, moved into the triangle where they lie outside.
+glm::dvec3 clamped_barycentric(const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r, const glm::dvec2& s);
+
 } // namespace meshbound

@@ -35,35 +35,10 @@ void StarMap::enter(const Rows& rows, const Hole& hole) {
         }
 }
 
-bool StarMap::holds_candidate(int a, int b) const {
-    if (b == a + 1) return false;
-    if (a == 0 && b == hole_->size() - 1) return true;
-    return orientation(hole_->places[at(a)], hole_->places[at(b)], glm::dvec2(0)) < 0;
-}
-
-bool StarMap::holds_candidate(int a, int m, int b) const {
-    return holds_candidate(a, b) && !holds_candidate(a, m) && !holds_candidate(m, b);
-}
-
-StarMap::Run StarMap::crossed(int a, int b) const {
-    const int size = hole_->size();
-    if (b == a + 1 || (a == 0 && b == size - 1)) return {};
-    if (!holds_candidate(a, b)) return {a + 1, b - a - 1};
-    return {hole_->after(b), size - (b - a) - 1};
-}
-
-StarMap::Run StarMap::overlapped(int a, int m, int b) const {
-    const int size = hole_->size();
-    if (!holds_candidate(a, b)) return {a, b - a};
-    if (holds_candidate(a, m)) return {m, size - (m - a)};
-    if (holds_candidate(m, b)) return {b, size - (b - m)};
-    return {0, hole_->sectors()};
-}
-
 /// Where the diagonal crosses each spoke: share u of the spoke by the layout, share t of the diagonal by proportional lengths
 /// of the polyline that it makes on the star (figure 2).
 void StarMap::cross_spokes(int a, int b) {
-    const Run run = crossed(a, b);
+    const RingRun run = crossed_spokes(*hole_, a, b);
     const glm::dvec2 p = hole_->places[at(a)], d = hole_->places[at(b)] - p;
     const auto width = at(rows_->width());
     const double* centre = (*rows_)[hole_->candidate];
@@ -76,7 +51,7 @@ void StarMap::cross_spokes(int a, int b) {
         last = point;
     };
     // Along the diagonal from a to b the spokes come rising where the candidate is on the other side, falling else.
-    const bool rising = !holds_candidate(a, b);
+    const bool rising = !holds_candidate(*hole_, a, b);
     const auto spoke_of = [&](int n) { return (run.first + (rising ? n : run.count - 1 - n)) % hole_->size(); };
     for (int n = 0; n < run.count; ++n) {
         const int s = spoke_of(n);
@@ -110,7 +85,7 @@ void StarMap::append_signed_distance(double* row) const {
 }
 
 const double* StarMap::crossing(int a, int b, int s) const {
-    const Run run = crossed(a, b);
+    const RingRun run = crossed_spokes(*hole_, a, b);
     const int n = (s - run.first + hole_->size()) % hole_->size();
     return n < run.count ? &crossings_[offsets_[at(a * hole_->size() + b)] + at(n * width())] : nullptr;
 }
@@ -132,16 +107,6 @@ const double* StarMap::candidate(int a, int m, int b) {
         candidate_[at(i)] = centre[i] - (share.x * p[i] + share.y * q[i] + share.z * r[i]);
     append_signed_distance(candidate_.data());
     return candidate_.data();
-}
-
-glm::dvec3 clamped_barycentric(const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r, const glm::dvec2& s) {
-    glm::dvec3 weight(orientation(p, r, s), orientation(q, p, s), orientation(q, r, p));
-    for (int i = 0; i < 3; ++i) weight[i] = weight[i] > 0 ? weight[i] : 0;
-    const double sum = weight.x + weight.y + weight.z;
-    if (!(sum > 0)) return glm::dvec3(1, 0, 0);
-    weight /= sum;
-    weight.z = std::max(0.0, 1 - weight.x - weight.y); // sums to 1, so that the place is on the triangle
-    return weight;
 }
 
 } // namespace meshbound

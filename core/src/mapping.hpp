@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hole.hpp"
+#include "overlap.hpp"
 #include "rows.hpp"
 
 namespace meshbound {
@@ -18,19 +19,6 @@ public:
 
     /// Length of a difference: the row and the signed distance.
     int width() const { return rows_->width() + 1; }
-
-    /// Whether the candidate lies in the sub-polygon a … b cut off by the diagonal (a, b).
-    bool holds_candidate(int a, int b) const;
-    /// Whether the candidate lies in the triangle a < m < b.
-    bool holds_candidate(int a, int m, int b) const;
-
-    /// Spokes crossed by the diagonal (a, b): `count` of them from `first` on, around the ring. Rims cross none.
-    struct Run {
-        int first = 0, count = 0;
-    };
-    Run crossed(int a, int b) const;
-    /// Sectors that the triangle a < m < b overlaps: `count` of them from `first` on, around the ring.
-    Run overlapped(int a, int m, int b) const;
 
     /// Difference where the diagonal (a, b) crosses spoke s; null where it does not.
     const double* crossing(int a, int b, int s) const;
@@ -51,8 +39,5 @@ private:
     std::vector<double> candidate_;
     std::vector<double> scratch_, lengths_;
 };
-
-/// Barycentric coordinates of p in the triangle q, r, s, moved into the triangle where they lie outside.
-glm::dvec3 clamped_barycentric(const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r, const glm::dvec2& s);
 
 } // namespace meshbound

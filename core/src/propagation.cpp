@@ -13,7 +13,7 @@ void Propagation::Interval::include(const Interval& other) {
 double Propagation::Interval::magnitude() const { return std::max(-lowest, highest); }
 
 Propagation::Propagation(const Rows& rows, std::size_t slots, Cost cost)
-    : rows_(&rows), cost_(cost), intervals_(slots * width()), introduced_(width()) {}
+    : rows_(&rows), charged_(cost), intervals_(slots * width()), introduced_(width()) {}
 
 void Propagation::enter(const Hole& hole) {
     hole_ = &hole;
@@ -21,17 +21,17 @@ void Propagation::enter(const Hole& hole) {
 }
 
 double Propagation::diagonal(int i, int j) {
-    if (cost_ == Cost::maximum) return 0; // charged with the triangles, whose intervals hold the crossings
+    if (charged_ == Cost::maximum) return 0; // charged with the triangles, whose intervals hold the crossings
     double sum = 0;
-    const StarMap::Run run = map_.crossed(i, j);
+    const RingRun run = crossed_spokes(*hole_, i, j);
     for (int n = 0; n < run.count; ++n)
         sum += squared_ratio(map_.crossing(i, j, (run.first + n) % hole_->size()), rows_->groups());
     return sum;
 }
 
 double Propagation::triangle(int a, int m, int b) {
-    if (cost_ == Cost::introduced)
-        return map_.holds_candidate(a, m, b) ? squared_ratio(map_.candidate(a, m, b), rows_->groups()) : 0;
+    if (charged_ == Cost::introduced)
+        return holds_candidate(*hole_, a, m, b) ? squared_ratio(map_.candidate(a, m, b), rows_->groups()) : 0;
     fresh_.resize(width());
     propagate(a, m, b, fresh_.data());
     return worst(fresh_.data()).squared_ratio;
@@ -39,8 +39,8 @@ double Propagation::triangle(int a, int m, int b) {
 
 /// The interval of a new triangle: the hull over its pieces, one in each sector that it overlaps.
 void Propagation::propagate(int a, int m, int b, Interval* fresh) {
-    const double* candidate = map_.holds_candidate(a, m, b) ? map_.candidate(a, m, b) : nullptr;
-    const StarMap::Run sectors = map_.overlapped(a, m, b);
+    const double* candidate = holds_candidate(*hole_, a, m, b) ? map_.candidate(a, m, b) : nullptr;
+    const RingRun sectors = overlapped_sectors(*hole_, a, m, b);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::fill(fresh, fresh + width(), Interval{infinity, -infinity});
     for (int n = 0; n < sectors.count; ++n)

@@ -14,19 +14,21 @@ namespace meshbound {
 ///
 /// Beyond the paper: the displacement is propagated by components and bounded by the corner of its box, since a sum of
 /// distances along normals that differ from step to step bounds nothing. The signed distance is kept as a diagnostic.
-class Propagation final : public Accounting {
+class Propagation final : public Accounting, private HoleCost {
 public:
     Propagation(const Rows& rows, std::size_t slots, Cost cost);
 
     void enter(const Hole& hole) override;
-    double diagonal(int i, int j) override;
-    double triangle(int a, int m, int b) override;
+    HoleCost& cost() override { return *this; }
     Measured measure(const Retriangulation& retriangulation, double squared_limit) override;
     void commit(const Retriangulation& retriangulation) override;
     std::size_t work() const override { return 1; }
     void errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const override;
 
 private:
+    double diagonal(int i, int j) override;
+    double triangle(int a, int m, int b) override;
+
     struct Interval {
         double lowest = 0, highest = 0;
         void include(const Interval& other);
@@ -39,7 +41,7 @@ private:
     std::size_t width() const { return static_cast<std::size_t>(rows_->width()) + 1; }
 
     const Rows* rows_;
-    Cost cost_;
+    Cost charged_;
     const Hole* hole_ = nullptr;
     StarMap map_;
     std::vector<Interval> intervals_; // [slot * width + component]

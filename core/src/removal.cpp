@@ -10,7 +10,7 @@ Verdict Removal::attempt(std::uint32_t candidate, double squared_limit) {
     lay_out(rows_, hole_);
     if (!legality_.enter(surface_, rows_, hole_)) return {Refusal::topology};
     accounting_.enter(hole_);
-    if (!retriangulator_.triangulate(rows_, hole_, legality_, accounting_, retriangulation_)) return {Refusal::fold};
+    if (!retriangulator_.triangulate(rows_, hole_, legality_, accounting_.cost(), retriangulation_)) return {Refusal::fold};
     const Measured measured = accounting_.measure(retriangulation_, squared_limit);
     if (measured.squared_ratio > squared_limit) return {Refusal::bound, measured.squared_ratio, measured.variable};
     surface_.retriangulate(hole_, retriangulation_);

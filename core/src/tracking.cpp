@@ -24,42 +24,18 @@ double clamped(double x, double low, double high) { return x > low ? std::min(x,
 } // namespace
 
 Tracking::Tracking(const Rows& rows, const Surface& surface, const Options& options)
-    : rows_(&rows), surface_(&surface), options_(options), edges_(surface), crossings_(surface.edge_count()),
-      residents_(surface), content_(surface), difference_(at(rows.width())) {}
+    : rows_(&rows), measured_rows_(rows, surface.vertex_count()), surface_(&surface), options_(options), edges_(surface),
+      crossings_(surface.edge_count()), residents_(surface), content_(surface), cost_(measured_rows_) {}
 
 void Tracking::enter(const Hole& hole) {
     hole_ = &hole;
-    map_.enter(*rows_, hole);
     content_.enter(*rows_, *surface_, residents_, hole);
+    cost_.enter(hole, content_);
 }
 
 std::size_t Tracking::work() const { return 1 + content_.vertices().size() / 8; }
 
-double Tracking::diagonal(int i, int j) {
-    double sum = 0;
-    const StarMap::Run run = map_.crossed(i, j);
-    for (int n = 0; n < run.count; ++n)
-        sum += squared_ratio(map_.crossing(i, j, (run.first + n) % hole_->size()), rows_->groups());
-    return sum;
-}
-
-/// The squared errors that the inner vertices in this triangle could have at their best places in it: charging the tracked
-/// instead of the introduced error leaves 2 % fewer triangles.
-double Tracking::triangle(int a, int m, int b) {
-    const glm::dvec2 &p = hole_->places[at(a)], &q = hole_->places[at(m)], &r = hole_->places[at(b)];
-    const JointTriangle joint(*rows_, ring_row(a), ring_row(m), ring_row(b));
-    double sum = 0;
-    for (const InnerVertex& inner : content_.vertices()) {
-        if (inner.host != InnerVertex::Host::triangle || orientation(p, q, inner.place) < 0 ||
-            orientation(q, r, inner.place) < 0 || orientation(r, p, inner.place) < 0)
-            continue;
-        const double* row = (*rows_)[inner.vertex];
-        sum += error_at(row, {a, m, b}, joint.nearest(row));
-    }
-    return sum;
-}
-
-const double* Tracking::ring_row(int i) const { return (*rows_)[hole_->ring[at(i)]]; }
+const double* Tracking::ring_row(int i) const { return measured_rows_[hole_->ring[at(i)]]; }
 
 void Tracking::index_tree(const Retriangulation& retriangulation) {
     depth_.clear();
@@ -70,7 +46,7 @@ void Tracking::index_tree(const Retriangulation& retriangulation) {
         depth_.push_back(triangle.parent < 0 ? 0 : depth_[at(triangle.parent)] + 1);
         if (triangle.left < 0) at_rim_[at(triangle.a)] = n;
         if (triangle.right < 0) at_rim_[at(triangle.m)] = n;
-        joints_.emplace_back(*rows_, ring_row(triangle.a), ring_row(triangle.m), ring_row(triangle.b));
+        joints_.emplace_back(measured_rows_, ring_row(triangle.a), ring_row(triangle.m), ring_row(triangle.b));
     }
 }
 
@@ -83,26 +59,14 @@ Measured Tracking::measure(const Retriangulation& retriangulation, double square
     return measured_;
 }
 
-/// Takes the error of the row in difference_ into account; false when it is above the limit.
-bool Tracking::record(double squared_error, double squared_limit) {
+/// Takes an error into account; false when it is above the limit.
+template <class Difference>
+bool Tracking::record(double squared_error, const Difference& difference, double squared_limit) {
     if (squared_error <= measured_.squared_ratio) return true;
     measured_.squared_ratio = squared_error;
     if (squared_error <= squared_limit) return true;
-    double worst = 0;
-    for (const RowGroup& group : rows_->groups()) {
-        const double here = group.bounded ? squared_ratio(difference_.data(), {group}) : 0;
-        if (here > worst) measured_.variable = group.variable;
-        worst = std::max(worst, here);
-    }
+    measured_.variable = measured_rows_.worst_variable(difference);
     return false;
-}
-
-/// Leaves the difference of the two rows in difference_.
-double Tracking::error_at(const double* row, const NewTriangle& triangle, const glm::dvec3& weight) {
-    const double *p = ring_row(triangle.a), *q = ring_row(triangle.m), *r = ring_row(triangle.b);
-    for (std::size_t i = 0; i < difference_.size(); ++i)
-        difference_[i] = row[i] - (weight.x * p[i] + weight.y * q[i] + weight.z * r[i]);
-    return squared_ratio(difference_.data(), rows_->groups());
 }
 
 bool Tracking::settle_vertices(const Retriangulation& retriangulation, double squared_limit) {
@@ -110,18 +74,19 @@ bool Tracking::settle_vertices(const Retriangulation& retriangulation, double sq
     places_.clear();
     for (const InnerVertex& inner : content_.vertices()) {
         Settlement settlement = locate(retriangulation, inner);
-        const NewTriangle* triangle = &retriangulation.triangles[at(settlement.triangle)];
         if (inner.host != InnerVertex::Host::rim) {
-            const double* row = (*rows_)[inner.vertex];
-            double error = error_at(row, *triangle, settlement.weight);
+            const double* row = measured_rows_[inner.vertex];
+            double error = joints_[at(settlement.triangle)].squared_ratio(measured_rows_, row, settlement.weight);
             if (options_.choose_places && inner.host == InnerVertex::Host::triangle &&
-                error > content_with * content_with * squared_limit) {
-                choose_place(retriangulation, row, settlement, error);
-                triangle = &retriangulation.triangles[at(settlement.triangle)];
-                error_at(row, *triangle, settlement.weight);
-            }
-            if (!record(error, squared_limit)) return false;
+                error > content_with * content_with * squared_limit)
+                choose_place(row, settlement, error);
+            const JointTriangle& joint = joints_[at(settlement.triangle)];
+            const glm::dvec3& w = settlement.weight;
+            if (!record(error, MeasuredRows::blend_difference(row, joint.a(), joint.b(), joint.c(), w.x, w.y, w.z),
+                        squared_limit))
+                return false;
         }
+        const NewTriangle* triangle = &retriangulation.triangles[at(settlement.triangle)];
         settlements_.push_back(settlement);
         places_.push_back(settlement.weight.x * hole_->places[at(triangle->a)] +
                           settlement.weight.y * hole_->places[at(triangle->m)] +
@@ -147,11 +112,10 @@ Tracking::Settlement Tracking::locate(const Retriangulation& retriangulation, co
 }
 
 /// The freedom of Φ: any place in any triangle of the hole is valid, so the one with the smallest error is taken.
-void Tracking::choose_place(const Retriangulation& retriangulation, const double* row, Settlement& settlement,
-                            double& error) {
+void Tracking::choose_place(const double* row, Settlement& settlement, double& error) const {
     for (std::size_t n = 0; n < joints_.size(); ++n) {
-        const glm::dvec3 weight = joints_[n].nearest(row);
-        const double here = error_at(row, retriangulation.triangles[n], weight);
+        const glm::dvec3 weight = joints_[n].nearest(measured_rows_, row);
+        const double here = joints_[n].squared_ratio(measured_rows_, row, weight);
         if (!(here < error)) continue;
         error = here;
         settlement = {static_cast<int>(n), weight};
@@ -227,32 +191,32 @@ void Tracking::cross_straight(const Retriangulation& retriangulation, const Piec
     }
 }
 
-/// Leaves the difference of the two rows in difference_.
-double Tracking::error_at(const Retriangulation& retriangulation, const Piece& piece, const NewCrossing& crossing) {
-    const NewTriangle& triangle = retriangulation.triangles[at(crossing.triangle)];
-    const double *u = (*rows_)[edges_.lower(piece.original)], *v = (*rows_)[edges_.upper(piece.original)];
-    const double *a = ring_row(triangle.a), *b = ring_row(triangle.b);
-    for (std::size_t i = 0; i < difference_.size(); ++i)
-        difference_[i] = (u[i] + crossing.s * (v[i] - u[i])) - (a[i] + crossing.t * (b[i] - a[i]));
-    return squared_ratio(difference_.data(), rows_->groups());
+auto Tracking::difference_at(const Piece& piece, const NewCrossing& crossing) const {
+    const JointTriangle& joint = joints_[at(crossing.triangle)];
+    return MeasuredRows::segment_difference(measured_rows_[edges_.lower(piece.original)],
+                                            measured_rows_[edges_.upper(piece.original)], crossing.s, joint.a(), joint.c(),
+                                            crossing.t);
+}
+
+double Tracking::error_at(const Piece& piece, const NewCrossing& crossing) const {
+    return measured_rows_.squared_ratio(difference_at(piece, crossing));
 }
 
 /// The freedom of Φ: s may be anywhere between its neighbours on the original edge, t anywhere on the diagonal.
-void Tracking::choose_crossings(const Retriangulation& retriangulation, const Piece& piece, std::size_t first,
-                                double threshold) {
-    const JointSegment original{(*rows_)[edges_.lower(piece.original)], (*rows_)[edges_.upper(piece.original)]};
+void Tracking::choose_crossings(const Piece& piece, std::size_t first, double threshold) {
+    const JointSegment original{measured_rows_[edges_.lower(piece.original)], measured_rows_[edges_.upper(piece.original)]};
     for (std::size_t n = first; n < new_crossings_.size(); ++n) {
         NewCrossing& crossing = new_crossings_[n];
-        const double error = error_at(retriangulation, piece, crossing);
+        const double error = error_at(piece, crossing);
         if (error <= threshold) continue;
         const double low = n == first ? piece.start.s : new_crossings_[n - 1].s;
         const double high = n + 1 == new_crossings_.size() ? piece.end.s : new_crossings_[n + 1].s;
-        const NewTriangle& triangle = retriangulation.triangles[at(crossing.triangle)];
-        const glm::dvec2 nearest = nearest_parameters(*rows_, original, low, high, {ring_row(triangle.a), ring_row(triangle.b)});
+        const JointTriangle& joint = joints_[at(crossing.triangle)]; // the diagonal is its edge from a to c
+        const glm::dvec2 nearest = nearest_parameters(measured_rows_, original, low, high, {joint.a(), joint.c()});
         NewCrossing chosen = crossing;
         chosen.s = nearest.x;
         chosen.t = nearest.y;
-        if (error_at(retriangulation, piece, chosen) < error) crossing = chosen;
+        if (error_at(piece, chosen) < error) crossing = chosen;
     }
 }
 
@@ -262,9 +226,9 @@ bool Tracking::lay_piece(const Retriangulation& retriangulation, const Piece& pi
     new_crossings_.insert(new_crossings_.end(), path_.begin(), path_.end());
     cross_straight(retriangulation, piece, first);
     if (options_.choose_crossings)
-        choose_crossings(retriangulation, piece, first, content_with * content_with * squared_limit);
+        choose_crossings(piece, first, content_with * content_with * squared_limit);
     for (std::size_t n = first; n < new_crossings_.size(); ++n)
-        if (!record(error_at(retriangulation, piece, new_crossings_[n]), squared_limit)) return false;
+        if (!record(error_at(piece, new_crossings_[n]), difference_at(piece, new_crossings_[n]), squared_limit)) return false;
     return true;
 }
 

@@ -6,10 +6,11 @@
 #include "crossings.hpp"
 #include "hole_content.hpp"
 #include "joint_space.hpp"
-#include "mapping.hpp"
+#include "measured_rows.hpp"
 #include "meshbound/options.hpp"
 #include "original_edges.hpp"
 #include "residents.hpp"
+#include "tracked_cost.hpp"
 
 namespace meshbound {
 
@@ -26,8 +27,7 @@ public:
     Tracking(const Rows& rows, const Surface& surface, const Options& options);
 
     void enter(const Hole& hole) override;
-    double diagonal(int i, int j) override;
-    double triangle(int a, int m, int b) override;
+    HoleCost& cost() override { return cost_; }
     Measured measure(const Retriangulation& retriangulation, double squared_limit) override;
     void commit(const Retriangulation& retriangulation) override;
     std::size_t work() const override;
@@ -55,27 +55,28 @@ private:
     void index_tree(const Retriangulation& retriangulation);
     bool settle_vertices(const Retriangulation& retriangulation, double squared_limit);
     Settlement locate(const Retriangulation& retriangulation, const InnerVertex& inner) const;
-    void choose_place(const Retriangulation& retriangulation, const double* row, Settlement& settlement, double& error);
-    double error_at(const double* row, const NewTriangle& triangle, const glm::dvec3& weight);
+    void choose_place(const double* row, Settlement& settlement, double& error) const;
     bool lay_pieces(const Retriangulation& retriangulation, double squared_limit);
     bool lay_piece(const Retriangulation& retriangulation, const Piece& piece, double squared_limit);
     void cross_straight(const Retriangulation& retriangulation, const Piece& piece, std::size_t first);
-    void choose_crossings(const Retriangulation& retriangulation, const Piece& piece, std::size_t first, double threshold);
-    double error_at(const Retriangulation& retriangulation, const Piece& piece, const NewCrossing& crossing);
+    void choose_crossings(const Piece& piece, std::size_t first, double threshold);
+    auto difference_at(const Piece& piece, const NewCrossing& crossing) const;
+    double error_at(const Piece& piece, const NewCrossing& crossing) const;
     int triangle_at(const PieceEnd& end) const;
     glm::dvec2 place_of(const PieceEnd& end) const;
     void find_path(const Retriangulation& retriangulation, const Piece& piece);
-    bool record(double squared_error, double squared_limit);
+    template <class Difference> bool record(double squared_error, const Difference& difference, double squared_limit);
     template <class Visit> void for_each_corner(std::uint32_t slot, const Visit& visit) const;
 
     const Rows* rows_;
+    MeasuredRows measured_rows_;
     const Surface* surface_;
     Options options_;
     OriginalEdges edges_;
     Crossings crossings_;
     Residents residents_;
     HoleContent content_;
-    StarMap map_;
+    TrackedCost cost_;
 
     // The removal at hand.
     const Hole* hole_ = nullptr;
@@ -88,7 +89,6 @@ private:
     std::vector<NewCrossing> new_crossings_;   // piece after piece
     std::vector<std::size_t> piece_start_;     // by piece: its first crossing
     std::vector<NewCrossing> path_, path_down_;
-    std::vector<double> difference_;
 };
 
 } // namespace meshbound

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "rows.hpp"
+
+namespace meshbound {
+
+/// Two neighbouring components of a row. The compilers' common vector type: one SSE, NEON or WebAssembly SIMD register, and
+/// the same arithmetic, so the same bytes, on all of them.
+using Lane = double __attribute__((vector_size(16)));
+
+/// The bounded components of the rows alone, packed for the inner loops: variables with several components first, each padded
+/// to whole lanes with zeros, then all scalars side by side.
+///
+///     position (3), pressure, temperature, energy:   | x y | z 0 | p t | e 0 |   two lanes of position, two of scalars
+class MeasuredRows {
+public:
+    explicit MeasuredRows(const Rows& rows, std::size_t vertices);
+
+    const double* operator[](std::uint32_t vertex) const { return &values_[vertex * 2 * std::size_t(lanes_)]; }
+    int lanes() const { return lanes_; }
+    static Lane lane(const double* row, int i) {
+        Lane loaded;
+        std::memcpy(&loaded, row + 2 * i, sizeof loaded);
+        return loaded;
+    }
+
+    /// Largest squared ratio to its bound over the variables; `difference(i)` gives lane i of the difference of two rows.
+    template <class Difference> double squared_ratio(const Difference& difference) const {
+        double worst = 0;
+        for (const Vector& vector : vectors_) {
+            Lane sum = {0, 0};
+            for (int i = vector.first; i < vector.end; ++i) {
+                const Lane d = difference(i);
+                sum += d * d;
+            }
+            worst = std::max(worst, sum[0] + sum[1]);
+        }
+        Lane largest = {0, 0};
+        for (int i = scalars_; i < lanes_; ++i) {
+            const Lane d = difference(i), square = d * d;
+            largest = square > largest ? square : largest;
+        }
+        return std::max(worst, std::max(largest[0], largest[1]));
+    }
+
+    /// The variable (0: position) in which a difference is largest.
+    template <class Difference> std::size_t worst_variable(const Difference& difference) const {
+        double worst = -1;
+        std::size_t variable = 0;
+        const auto consider = [&](double square, std::size_t candidate) {
+            if (square <= worst) return;
+            worst = square;
+            variable = candidate;
+        };
+        for (const Vector& vector : vectors_) {
+            double sum = 0;
+            for (int i = vector.first; i < vector.end; ++i) {
+                const Lane d = difference(i);
+                sum += d[0] * d[0] + d[1] * d[1];
+            }
+            consider(sum, vector.variable);
+        }
+        for (std::size_t n = 0; n < scalar_variables_.size(); ++n) {
+            const double d = difference(scalars_ + static_cast<int>(n / 2))[n % 2];
+            consider(d * d, scalar_variables_[n]);
+        }
+        return variable;
+    }
+
+    /// A row less the mixture of three others.
+    static auto blend_difference(const double* row, const double* p, const double* q, const double* r, double wp, double wq,
+                                 double wr) {
+        return [=](int i) { return lane(row, i) - (wp * lane(p, i) + wq * lane(q, i) + wr * lane(r, i)); };
+    }
+
+    /// The point at share s from u to v less the point at share t from a to b.
+    static auto segment_difference(const double* u, const double* v, double s, const double* a, const double* b, double t) {
+        return [=](int i) {
+            return (lane(u, i) + s * (lane(v, i) - lane(u, i))) - (lane(a, i) + t * (lane(b, i) - lane(a, i)));
+        };
+    }
+
+    /// Largest squared ratio of a row against the mixture of three others.
+    double squared_ratio(const double* row, const double* p, const double* q, const double* r, double wp, double wq,
+                         double wr) const {
+        return squared_ratio(blend_difference(row, p, q, r, wp, wq, wr));
+    }
+
+private:
+    struct Vector {
+        int first = 0, end = 0; // lanes
+        std::size_t variable = 0;
+    };
+    int lanes_ = 0;
+    int scalars_ = 0; // first lane of the scalars
+    std::vector<Vector> vectors_;
+    std::vector<std::size_t> scalar_variables_;
+    std::vector<double> values_;
+};
+
+} // namespace meshbound
