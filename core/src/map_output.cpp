@@ -57,7 +57,8 @@ void extract_map(const Surface& surface, const Tracking& tracking, const std::ve
             map.crossings.push_back({{edges.lower(edge), edges.upper(edge)},
                                      crossing.s,
                                      {renamed_vertex[reduced.x], renamed_vertex[reduced.y]},
-                                     crossing.t});
+                                     crossing.t,
+                                     crossing.rightward});
         }
 }
 

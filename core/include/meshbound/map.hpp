@@ -25,6 +25,9 @@ struct MapCrossing {
     double s = 0;           ///< where along it: 0 at the first, 1 at the second
     glm::uvec2 reduced{0};  ///< the edge's two vertices in the reduced mesh
     double t = 0;           ///< where along it
+    /// With s rising, passes from the left of the reduced edge (the triangle that has it from first to second vertex) to its
+    /// right. Tells on which side it is where an edge is crossed to and fro.
+    bool rightward = false;
 };
 
 /// The map Φ from the original surface onto the reduced one, by its corners (figure 5): cut every original triangle along
