@@ -19,9 +19,7 @@ function isFresh(sample: Sample): boolean {
   const file = join(output, `${sample.name}.ply`);
   const newestSource = Math.max(...readdirSync(sources).map((source) => statSync(join(sources, source)).mtimeMs));
   return (
-    existsSync(file) &&
-    statSync(file).mtimeMs >= newestSource &&
-    listed().some((entry) => entry.name === sample.name)
+    existsSync(file) && statSync(file).mtimeMs >= newestSource && listed().some((entry) => entry.name === sample.name)
   );
 }
 

@@ -30,13 +30,13 @@ export interface ListedSample {
 
 const fireballs = {
   scene: 'fireballs',
-  isovalue: 0.35,
+  isovalue: 0.28,
   variables: ['density', 'pressure', 'vx', 'vy', 'vz', 'energy', 'temperature'],
 } as const;
 
 const impact = {
   scene: 'impact',
-  isovalue: 0.24,
+  isovalue: 0.25,
   variables: ['pressure', 'vx', 'vy', 'vz', 'temperature', 'iron'],
 } as const;
 
@@ -46,7 +46,7 @@ export const samples: Sample[] = [
     ...fireballs,
     name: 'fireballs',
     title: 'Fireballs',
-    description: 'Two hot balls of gas, xenon and argon, have collided off-axis in helium.',
+    description: 'Two balls of gas, xenon and argon, have collided off-axis at 3 km/s in thin helium.',
     cells: [70, 40, 25],
     variables: [...fireballs.variables],
   },
@@ -54,7 +54,7 @@ export const samples: Sample[] = [
     ...impact,
     name: 'impact',
     title: 'Impact',
-    description: 'An iron ball has struck an aluminium plate obliquely.',
+    description: 'An iron ball has struck through an aluminium plate at 16 km/s and drives the debris before it.',
     cells: [54, 24, 24],
     variables: [...impact.variables],
   },
@@ -62,7 +62,8 @@ export const samples: Sample[] = [
     ...fireballs,
     name: 'fireballs-fine',
     title: 'Fireballs, fine',
-    description: 'Two hot balls of gas, xenon and argon, have collided off-axis in helium, on a grid 3.8 times finer.',
+    description:
+      'Two balls of gas, xenon and argon, have collided off-axis at 3 km/s in thin helium; simulated 3.8 times finer.',
     cells: [266, 152, 95],
     variables: [...fireballs.variables],
   },
@@ -70,7 +71,8 @@ export const samples: Sample[] = [
     ...impact,
     name: 'impact-fine',
     title: 'Impact, fine',
-    description: 'An iron ball has struck an aluminium plate obliquely, on a grid 3.8 times finer.',
+    description:
+      'An iron ball has struck through an aluminium plate at 16 km/s and drives the debris before it; simulated 3.8 times finer.',
     cells: [205, 91, 91],
     variables: [...impact.variables],
   },

@@ -35,7 +35,8 @@ std::array<double, variables> conserved_of(const Primitive& state, double gamma)
 }
 
 /// Calls work(first, last) for `threads` parts of [0, count) at once.
-template <typename Work> void in_parallel(int count, int threads, const Work& work) {
+template <typename Work>
+void in_parallel(int count, int threads, const Work& work) {
     std::vector<std::thread> others;
     for (int t = 1; t < threads; ++t) {
         others.emplace_back(work, count * t / threads, count * (t + 1) / threads);
@@ -56,8 +57,7 @@ Rows rows_along(int axis, const std::array<int, 3>& cells) {
     const std::array<std::size_t, 3> stride = {1, std::size_t(cells[0]), std::size_t(cells[0]) * cells[1]};
     const int row_axis = axis == 0 ? 1 : 0;
     const int layer_axis = axis == 2 ? 1 : 2;
-    return {cells[axis],  cells[row_axis],  cells[layer_axis],
-            stride[axis], stride[row_axis], stride[layer_axis]};
+    return {cells[axis], cells[row_axis], cells[layer_axis], stride[axis], stride[row_axis], stride[layer_axis]};
 }
 
 /// Calls copy(number in the box, number in the row) for every cell of some rows side by side, in the order of the memory.
@@ -193,7 +193,8 @@ Primitive Flow::at(std::size_t cell) const {
         state.velocity[c] = conserved_[1 + c][cell] / state.density;
         kinetic += 0.5F * conserved_[1 + c][cell] * state.velocity[c];
     }
-    state.pressure = (float(gamma_) - 1.0F) * std::max(conserved_[4][cell] - kinetic, smallest_pressure_to_kinetic * kinetic);
+    state.pressure =
+        (float(gamma_) - 1.0F) * std::max(conserved_[4][cell] - kinetic, smallest_pressure_to_kinetic * kinetic);
     for (int t = 0; t < tracers; ++t) {
         state.fraction[t] = conserved_[5 + t][cell] / state.density;
     }

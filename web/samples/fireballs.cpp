@@ -12,19 +12,19 @@ constexpr double xenon = 0.1313;          ///< molar masses, kg / mol
 constexpr double argon = 0.0399;
 constexpr double helium = 0.0040;
 
-/// A ball of hot gas.
+/// A ball of gas.
 struct Ball {
-    std::array<double, 3> centre; ///< m
-    std::array<double, 3> radius; ///< m
-    double molar_mass;            ///< kg / mol
-    double temperature;           ///< K
+    std::array<double, 3> centre;  ///< m
+    std::array<double, 3> radius;  ///< m
+    double molar_mass;             ///< kg / mol
+    double temperature;            ///< K
     std::array<float, 3> velocity; ///< km / s
     std::array<float, euler::tracers> fraction;
 };
 
 constexpr double fireball_pressure = 0.15; ///< MPa
 constexpr double ambient_pressure = 0.1;
-constexpr double ambient_temperature = 900;
+constexpr double ambient_temperature = 900; ///< K
 
 const std::array<Ball, 2> balls = {{
     {{-16, -4.8, -0.8}, {11.0, 8.0, 7.4}, xenon, 1200, {1.5F, 0, 0}, {1, 0}},
@@ -37,9 +37,7 @@ double density_of(double pressure, double molar_mass, double temperature) {
 
 /// The radius of a ball in a direction, relative to its mean: not quite round, so that the instabilities have something to
 /// grow from.
-double lumps(double nx, double ny, double nz) {
-    return 1 + 0.3 * nx * ny * nz + 0.15 * (nx * nx - ny * ny) * nz * nz;
-}
+double lumps(double nx, double ny, double nz) { return 1 + 0.3 * nx * ny * nz + 0.15 * (nx * nx - ny * ny) * nz * nz; }
 
 Primitive initial(double x, double y, double z) {
     for (const auto& ball : balls) {
@@ -72,7 +70,7 @@ float energy(const Primitive& s) {
 
 } // namespace
 
-/// Two hot balls of noble gas, xenon and argon, collide off-axis in cool helium. Lengths in metres, times in milliseconds.
+/// Two balls of noble gas, xenon and argon, collide off-axis in hot, thin helium at 3 km/s. Lengths in metres, times in milliseconds.
 Scene fireballs() {
     return {"fireballs",
             "m",
@@ -80,7 +78,7 @@ Scene fireballs() {
             70,
             gamma_monatomic,
             euler::Boundary::outflow,
-            13,
+            12,
             initial,
             {{"density", "kg/m3", [](const Primitive& s) { return s.density; }},
              {"pressure", "MPa", [](const Primitive& s) { return s.pressure; }},

@@ -92,7 +92,10 @@ function marchingCubes(values: Float32Array, cells: readonly number[], isovalue:
   const faces = surface.getPolys().getData(); // 3, a, b, c, 3, a, b, c, ...
   return {
     points: surface.getPoints().getData() as Float32Array,
-    triangles: Uint32Array.from({ length: (faces.length / 4) * 3 }, (_, i) => faces[Math.floor(i / 3) * 4 + 1 + (i % 3)]),
+    triangles: Uint32Array.from(
+      { length: (faces.length / 4) * 3 },
+      (_, i) => faces[Math.floor(i / 3) * 4 + 1 + (i % 3)],
+    ),
   };
 }
 

@@ -5,9 +5,9 @@
 /// FILE gets the scene's variables one after the other, each with NX x NY x NZ numbers in single precision, little-endian,
 /// x fastest, at the centres of the cells. Standard output gets one line of JSON that describes them.
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -34,13 +34,22 @@ Scene scene_named(const std::string& name) {
     throw std::runtime_error("There is no scene \"" + name + "\".");
 }
 
+int count_of(const std::string& word) {
+    const int count = std::atoi(word.c_str());
+    if (count < 1) {
+        throw std::runtime_error("\"" + word + "\" is not a number of cells or threads.");
+    }
+    return count;
+}
+
 Arguments parse(const std::vector<std::string>& words) {
     if (words.size() < 5) {
-        throw std::runtime_error("samples-simulator SCENE NX NY NZ FILE [--end TIME] [--walls|--periodic] [--threads N]");
+        throw std::runtime_error(
+            "samples-simulator SCENE NX NY NZ FILE [--end TIME] [--walls|--periodic] [--threads N]");
     }
     Arguments arguments;
     arguments.scene = scene_named(words[0]);
-    arguments.cells = {std::stoi(words[1]), std::stoi(words[2]), std::stoi(words[3])};
+    arguments.cells = {count_of(words[1]), count_of(words[2]), count_of(words[3])};
     arguments.file = words[4];
     for (std::size_t i = 5; i < words.size(); ++i) {
         if (words[i] == "--walls") {
@@ -50,7 +59,7 @@ Arguments parse(const std::vector<std::string>& words) {
         } else if (words[i] == "--end" && i + 1 < words.size()) {
             arguments.scene.end = std::stod(words[++i]);
         } else if (words[i] == "--threads" && i + 1 < words.size()) {
-            arguments.threads = std::stoi(words[++i]);
+            arguments.threads = count_of(words[++i]);
         } else {
             throw std::runtime_error("Unknown argument \"" + words[i] + "\".");
         }
@@ -102,7 +111,8 @@ int main(int count, char** words) {
     try {
         const Arguments arguments = parse({words + 1, words + count});
         const Scene& scene = arguments.scene;
-        const euler::Grid grid{arguments.cells, scene.origin, scene.width / arguments.cells[0]};
+        const euler::Grid grid{arguments.cells, scene.origin,
+                               scene.length / *std::max_element(arguments.cells.begin(), arguments.cells.end())};
         euler::Flow flow(grid, scene.gamma, scene.boundary, scene.initial, arguments.threads);
         const euler::Totals before = flow.totals();
         const int steps = flow.advance(scene.end);

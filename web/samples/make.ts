@@ -1,3 +1,5 @@
+import { extent } from 'd3-array';
+
 import type { Mesh } from '../../wasm/types.ts';
 import type { ListedSample, Sample } from './catalogue.ts';
 import { isosurface } from './isosurface.ts';
@@ -55,8 +57,7 @@ function commentsOf(sample: Sample, volume: Volume, units: Record<string, string
 
 function summaryOf(mesh: Mesh, shape: Topology, volume: Volume): string {
   const ranges = mesh.variables.map(({ name, values }) => {
-    const lowest = values.reduce((a, b) => Math.min(a, b), Number.POSITIVE_INFINITY);
-    const highest = values.reduce((a, b) => Math.max(a, b), Number.NEGATIVE_INFINITY);
+    const [lowest = Number.NaN, highest = Number.NaN] = extent(values);
     return `${name} ${lowest.toPrecision(3)}...${highest.toPrecision(3)}`;
   });
   return (

@@ -161,12 +161,9 @@ void Pencil::find_fluxes(float gamma) {
         right[variable] = low_[variable].data();
         flux[variable] = flux_[variable].data();
     }
-    const float *__restrict dl = left[0], *__restrict ul = left[1], *__restrict vl = left[2], *__restrict wl = left[3],
-                *__restrict pl = left[4], *__restrict al = left[5], *__restrict bl = left[6];
-    const float *__restrict dr = right[0], *__restrict ur = right[1], *__restrict vr = right[2], *__restrict wr = right[3],
-                *__restrict pr = right[4], *__restrict ar = right[5], *__restrict br = right[6];
-    float *__restrict fd = flux[0], *__restrict fu = flux[1], *__restrict fv = flux[2], *__restrict fw = flux[3],
-          *__restrict fe = flux[4], *__restrict fa = flux[5], *__restrict fb = flux[6];
+    const float* __restrict dl = left[0], * __restrict ul = left[1], * __restrict vl = left[2], * __restrict wl = left[3], * __restrict pl = left[4], * __restrict al = left[5], * __restrict bl = left[6];
+    const float* __restrict dr = right[0], * __restrict ur = right[1], * __restrict vr = right[2], * __restrict wr = right[3], * __restrict pr = right[4], * __restrict ar = right[5], * __restrict br = right[6];
+    float* __restrict fd = flux[0], * __restrict fu = flux[1], * __restrict fv = flux[2], * __restrict fw = flux[3], * __restrict fe = flux[4], * __restrict fa = flux[5], * __restrict fb = flux[6];
 #pragma GCC ivdep
     for (int i = begin; i < end; ++i) {
         const Side l = make_side(dl[i], ul[i], vl[i], wl[i], pl[i], gamma);
@@ -197,8 +194,7 @@ void Pencil::find_fluxes(float gamma) {
         const float speed = from_left ? std::min(speed_l, 0.0F) : std::max(speed_r, 0.0F);
         const float wave = from_left ? speed_l : speed_r;
         const float density_star = push / (wave - contact);
-        const float energy_star =
-            density_star * (energy / density + (contact - normal) * (contact + pressure / push));
+        const float energy_star = density_star * (energy / density + (contact - normal) * (contact + pressure / push));
 
         const float mass_flux = density * normal + speed * (density_star - density);
         fd[i] = mass_flux;

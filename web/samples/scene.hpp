@@ -17,7 +17,7 @@ struct Scene {
     std::string name;
     std::string length_unit;
     std::array<double, 3> origin; ///< the lowest corner of the box
-    double width;                 ///< of the box along x; the cells are cubes
+    double length;                ///< of the longest side of the box; the cells are cubes
     double gamma;
     euler::Boundary boundary;
     double end; ///< time that passes, in the scene's unit

@@ -1,12 +1,15 @@
+#include <algorithm>
+
 #include "scene.hpp"
 
-/// Sod's shock tube along x, whose exact solution is known: the check of the solver.
+/// Sod's shock tube along the one axis that has more than one cell. Its exact solution is known: the check of the solver.
 Scene shock_tube() {
-    const auto initial = [](double x, double, double) {
+    const auto initial = [](double x, double y, double z) {
+        const bool driver = std::max({x, y, z}) < 0.5;
         euler::Primitive state;
-        state.density = x < 0.5 ? 1.0F : 0.125F;
-        state.pressure = x < 0.5 ? 1.0F : 0.1F;
-        state.fraction = {x < 0.5 ? 1.0F : 0.0F, 0.0F};
+        state.density = driver ? 1.0F : 0.125F;
+        state.pressure = driver ? 1.0F : 0.1F;
+        state.fraction = {driver ? 1.0F : 0.0F, 0.0F};
         return state;
     };
     return {"shock-tube",
@@ -18,7 +21,7 @@ Scene shock_tube() {
             0.2,
             initial,
             {{"density", "1", [](const euler::Primitive& s) { return s.density; }},
-             {"velocity", "1", [](const euler::Primitive& s) { return s.velocity[0]; }},
+             {"velocity", "1", [](const euler::Primitive& s) { return s.velocity[0] + s.velocity[1] + s.velocity[2]; }},
              {"pressure", "1", [](const euler::Primitive& s) { return s.pressure; }},
-             {"fraction", "1", [](const euler::Primitive& s) { return s.fraction[0]; }}}};
+             {"driver", "1", [](const euler::Primitive& s) { return s.fraction[0]; }}}};
 }

@@ -44,7 +44,10 @@ export function simulate(scene: string, cells: readonly number[], options: strin
   mkdirSync(binaries, { recursive: true });
   const file = join(binaries, `${scene}-${cells.join('x')}-${process.pid}.raw`);
   try {
-    const output = execFileSync(simulator, [scene, ...cells.map(String), file, ...options], { encoding: 'utf8' });
+    const output = execFileSync(simulator, [scene, ...cells.map(String), file, ...options], {
+      encoding: 'utf8',
+      stdio: ['ignore', 'pipe', 'pipe'],
+    });
     const volume = JSON.parse(output) as Volume;
     const bytes = readFileSync(file);
     const numbers = new Float32Array(bytes.buffer, bytes.byteOffset, bytes.byteLength / Float32Array.BYTES_PER_ELEMENT);

@@ -11,7 +11,9 @@ export interface Topology {
 /** Examines a triangle mesh: three vertex numbers a triangle, below `vertices`. */
 export function topology(triangles: Uint32Array, vertices: number): Topology {
   const edges = orientedEdges(triangles, vertices);
-  const unpaired = [...edges.keys()].filter((key) => !edges.has((key % vertices) * vertices + Math.floor(key / vertices)));
+  const unpaired = [...edges.keys()].filter(
+    (key) => !edges.has((key % vertices) * vertices + Math.floor(key / vertices)),
+  );
   const repeated = [...edges.values()].filter((uses) => uses > 1).length;
   const loops = new Partition(vertices);
   for (const key of unpaired) {
