@@ -12,12 +12,20 @@ const mesh = smallMesh(mixedVariables().filter(({ name }) => kept.includes(name)
 
 /** For a busy machine; what is tested here takes well below a second a file. */
 const patience = 60_000;
+const textStl =
+  'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\nendsolid s\n';
+const texturedObj =
+  'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0.5\nvn 0 0 1\nf 1/1/1 2/2/1 3/1/1\nf -1/-1/-1 -2//1 \\\n2\n';
 const files: [name: string, bytes: Uint8Array][] = [
   ['ASCII PLY', await writeSurface('ply', mesh, { encoding: 'ascii' })],
   ['binary PLY', await writeSurface('ply', mesh)],
   ['big-endian PLY', await writeSurface('ply', mesh, { encoding: 'binary_big_endian' })],
   ['VTP', await writeSurface('vtp', mesh)],
   ['legacy VTK', await writeSurface('vtk', mesh)],
+  ['OBJ', await writeSurface('obj', mesh)],
+  ['textured OBJ', new TextEncoder().encode(texturedObj)],
+  ['STL', await writeSurface('stl', mesh)],
+  ['STL in text', new TextEncoder().encode(textStl)],
   ...readdirSync(fixtures)
     .filter((name) => /\.(vtp|vtk)$/.test(name))
     .map((name): [string, Uint8Array] => [name, new Uint8Array(readFileSync(new URL(name, fixtures)))]),
@@ -39,8 +47,8 @@ describe.each(files)('%s', (name, bytes) => {
     async () => {
       const whole = await outcome(bytes);
       const parts = whole instanceof FormatError ? [] : fingerprint(whole.mesh);
-      // Legacy VTK declares no length: whole arrays and strips may be gone from its end.
-      const declaresLength = !/vtk$/i.test(name);
+      // Legacy VTK and OBJ declare no length: whole arrays and strips may be gone from its end.
+      const declaresLength = !/vtk$|OBJ/i.test(name);
       for (let length = 0; length < bytes.length; length++) {
         const cut = await outcome(bytes.subarray(0, length));
         if (cut instanceof FormatError) continue;

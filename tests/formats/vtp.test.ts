@@ -64,13 +64,30 @@ const read = (file: string) => readSurface('', bytesOf(file));
 
 describe('VTP pieces', () => {
   it('are joined', async () => {
-    const second = piece({ p: '<DataArray type="Float64" Name="p" format="ascii">4 5 0.1</DataArray>' });
+    const second = piece({
+      p: '<DataArray type="Float64" Name="p" format="ascii">4 5 0.1</DataArray>',
+      points: '<DataArray type="Float32" NumberOfComponents="3" format="ascii">5 0 0 6 0 0 5 1 0</DataArray>',
+    });
     const empty = '<Piece NumberOfPoints="0" NumberOfPolys="0"><Points/></Piece>';
     const { mesh, notes } = await read(vtp(piece() + empty + second));
     expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 3, 4, 5]);
     expect(mesh.position.length).toBe(18);
     expect(bits(mesh.variables[0].values)).toBe(bits(Float64Array.of(1, 2, 3, 4, 5, 0.1)));
-    expect(notes).toEqual([expect.stringMatching(/^2 pieces joined/)]);
+    expect(notes).toEqual(['2 pieces joined.']);
+  });
+
+  it('are welded where they meet, and locked where their values differ', async () => {
+    const points = '<DataArray type="Float32" NumberOfComponents="3" format="ascii">1 0 0 0 1 0 1 1 0</DataArray>';
+    const second = piece({ points, p: '<DataArray type="Float32" Name="p" format="ascii">2 9 4</DataArray>' });
+    const { mesh, notes, locked } = await read(vtp(piece() + second));
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 1, 3, 4]);
+    expect(Array.from(mesh.variables[0].values)).toEqual([1, 2, 3, 9, 4]);
+    expect(Array.from(locked ?? [])).toEqual([2, 3]);
+    expect(notes).toEqual([
+      '2 pieces joined.',
+      '1 repeated point welded.',
+      expect.stringMatching(/^2 points on seams/),
+    ]);
   });
 
   it('lose the arrays that not all have, and say so', async () => {

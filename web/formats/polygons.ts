@@ -20,7 +20,7 @@ const mostConcaveCorners = 10_000;
  */
 export function triangulate(polygons: Polygons, position: Position, noun: string) {
   const { corners, ends } = polygons;
-  checkCorners(corners, ends, position.length / 3, noun);
+  checkCorners(polygons, position.length / 3, noun);
   let total = 0;
   let split = 0;
   forEachPolygon(ends, (start, end, index) => {
@@ -42,7 +42,7 @@ export function triangulate(polygons: Polygons, position: Position, noun: string
 /** Triangles in place of triangle strips; every other triangle of a strip is turned, so that all face the same way. */
 export function trianglesOfStrips(strips: Polygons, position: Position, noun: string): Uint32Array {
   const { corners, ends } = strips;
-  checkCorners(corners, ends, position.length / 3, noun);
+  checkCorners(strips, position.length / 3, noun);
   const triangles = new Uint32Array(3 * corners.length);
   let at = 0;
   forEachPolygon(ends, (start, end, index) => {
@@ -74,7 +74,8 @@ function fewCorners(corners: number, index: number, noun: string): FormatError {
   );
 }
 
-function checkCorners(corners: Uint32Array, ends: Uint32Array, points: number, noun: string): void {
+/** Throws if a corner names a point that does not exist. */
+export function checkCorners({ corners, ends }: Polygons, points: number, noun: string): void {
   const wrong = corners.findIndex((corner) => corner >= points);
   if (wrong < 0) return;
   const where = `${noun} ${ends.findIndex((end) => end > wrong)}`;

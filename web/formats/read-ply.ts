@@ -1,5 +1,6 @@
 import type { Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
+import { GrowingPolygons } from './growing-arrays.ts';
 import { isFloatType, type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './ply-header.ts';
 import { type PlyValues, plyValues } from './ply-values.ts';
 import { declaredComponentNames, declaredUnits, groupProperties, type PlyVariable } from './ply-variables.ts';
@@ -119,7 +120,7 @@ function readFaces(element: PlyElement, values: PlyValues, notes: string[]): Pol
 function readCorners(element: PlyElement, values: PlyValues, endMark?: number): Polygons | undefined {
   const list = element.properties.find((property) => property.listLength && cornerLists.includes(property.name));
   if (!list) return undefined;
-  const collected = new Collected();
+  const collected = new GrowingPolygons();
   for (let row = 0; row < element.count; row++) {
     values.startRow(row);
     for (const property of element.properties) {
@@ -127,10 +128,10 @@ function readCorners(element: PlyElement, values: PlyValues, endMark?: number): 
       else values.skip(property);
     }
   }
-  return collected.polygons();
+  return collected.toPolygons();
 }
 
-function readList(property: PlyProperty, values: PlyValues, collected: Collected, endMark?: number): void {
+function readList(property: PlyProperty, values: PlyValues, collected: GrowingPolygons, endMark?: number): void {
   const length = values.nextLength(property);
   for (let i = 0; i < length; i++) {
     const corner = values.next(property.type);
@@ -139,34 +140,6 @@ function readList(property: PlyProperty, values: PlyValues, collected: Collected
     else throw new FormatError('bad_index', `${capitalised(values.place())} names point ${corner}.`, values.place());
   }
   collected.endPolygon();
-}
-
-/** Polygons while they are read, when their corners cannot be counted yet. */
-class Collected {
-  private corners = new Uint32Array(1024);
-  private ends = new Uint32Array(1024);
-  private cornerCount = 0;
-  private endCount = 0;
-
-  addCorner(corner: number): void {
-    if (this.cornerCount === this.corners.length) this.corners = grown(this.corners);
-    this.corners[this.cornerCount++] = corner;
-  }
-
-  endPolygon(): void {
-    if (this.endCount === this.ends.length) this.ends = grown(this.ends);
-    this.ends[this.endCount++] = this.cornerCount;
-  }
-
-  polygons(): Polygons {
-    return { corners: this.corners.slice(0, this.cornerCount), ends: this.ends.slice(0, this.endCount) };
-  }
-}
-
-function grown(full: Uint32Array): Uint32Array<ArrayBuffer> {
-  const larger = new Uint32Array(2 * full.length);
-  larger.set(full);
-  return larger;
 }
 
 function readStrips(element: PlyElement, values: PlyValues): Polygons | undefined {

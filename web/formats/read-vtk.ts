@@ -124,6 +124,8 @@ function readSection(words: string[], text: LegacyVtkText, parts: Parts, attribu
   else if (keyword === 'POINT_DATA') return beginPointData(words, text, parts);
   else if (keyword === 'CELL_DATA') return Object.assign(parts.cells, { tuples: countOf(words[1], text) });
   else if (keyword === 'METADATA') skipMetadata(text);
+  else if (keyword === 'LOOKUP_TABLE') skipLookupTable(words, text);
+  else if (keyword === 'FIELD') readField(words, text, attributes, parts.labels);
   else readAttribute(keyword, words, text, attributes, parts.labels);
   return attributes;
 }
@@ -208,8 +210,6 @@ function readAttribute(
   attributes: Attributes,
   labels: Labels,
 ): void {
-  if (keyword === 'FIELD') return readField(words, text, attributes, labels);
-  if (keyword === 'LOOKUP_TABLE') return skipLookupTable(words, text);
   const { tuples } = attributes;
   const components = componentsOf(keyword, words, text);
   if (components === undefined || tuples === undefined) {

@@ -4,6 +4,8 @@ import { type Labels, noLabels, type Surface } from './surface.ts';
 import { isFloatArray, readDataArray, type VtkPacking } from './vtk-data-array.ts';
 import { asEnds, asIndices, meshOfPieces, noPolygons, type Piece, type PointArray } from './vtk-pieces.ts';
 import type { VtkValues } from './vtk-values.ts';
+import { weld } from './weld.ts';
+import { sealed } from './welded-surface.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
 import { childrenOf, parseXml, type XmlNode } from './xml-tree.ts';
 
@@ -32,7 +34,9 @@ export function readVtp(bytes: Uint8Array): Surface {
     readPiece(node, packing, pieceNodes.length > 1 ? `piece ${index} ` : ''),
   );
   const mesh = meshOfPieces(pieces, notes);
-  return { mesh, notes, ...labelsOf(pieceNodes, ['position', ...mesh.variables.map((variable) => variable.name)]) };
+  const labels = labelsOf(pieceNodes, ['position', ...mesh.variables.map((variable) => variable.name)]);
+  // Pieces repeat the points where they meet.
+  return pieces.length > 1 ? { ...sealed(weld(mesh), notes), ...labels } : { mesh, notes, ...labels };
 }
 
 function openDocument(bytes: Uint8Array): { root: XmlNode; appended: VtkPacking['appended'] } {

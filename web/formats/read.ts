@@ -7,6 +7,8 @@ const readers: Record<Format, () => Promise<(bytes: Uint8Array) => Surface | Pro
   ply: async () => (await import('./read-ply.ts')).readPly,
   vtp: async () => (await import('./read-vtp.ts')).readVtp,
   vtk: async () => (await import('./read-vtk.ts')).readVtk,
+  obj: async () => (await import('./read-obj.ts')).readObj,
+  stl: async () => (await import('./read-stl.ts')).readStl,
 };
 
 export interface SurfaceFile extends Surface {
@@ -17,11 +19,11 @@ export interface SurfaceFile extends Surface {
 
 /**
  * Reads a surface with its variables from a file in memory, in the browser, a worker or Node. The content decides about the
- * format; `name` only serves to say so where its ending claims another. Throws a FormatError for whatever is wrong with the
+ * format; `name` serves to say so where its ending claims another, and where the content has no mark. Throws a FormatError for whatever is wrong with the
  * file. Values that are NaN or infinite, repeated corners and unused points are passed on: they are the core's to judge.
  */
 export async function readSurface(name: string, bytes: Uint8Array): Promise<SurfaceFile> {
-  const format = recognise(bytes);
+  const format = recognise(bytes, name);
   const read = await readers[format]();
   const surface = await withinMemory(() => read(bytes));
   const notes = [...endingNote(name, format), ...surface.notes];

@@ -20,9 +20,9 @@ const signatures: Signature[] = [
   },
   { begins: /^# vtk DataFile/i, format: 'vtk', called: 'legacy VTK' },
   { begins: 'glTF', called: 'GLB' },
-  { begins: /^\s*solid\b[\s\S]*\bfacet\b/, called: 'STL' },
+  { begins: /^\s*solid\b[\s\S]*\b(facet|endsolid)\b/, format: 'stl', called: 'STL' },
   { begins: /^\s*\{[\s\S]*"asset"/, called: 'glTF' },
-  { begins: /^\s*(#[^\n]*\n\s*|(mtllib|o|g|s|usemtl)\b[^\n]*\n\s*)*v\s+[-+.\d]/, called: 'OBJ' },
+  { begins: /^\s*(#[^\n]*\n\s*|(mtllib|o|g|s|usemtl)\b[^\n]*\n\s*)*v\s+[-+.\d]/, format: 'obj', called: 'OBJ' },
   { begins: /^\s*OFF\b|^\s*COFF\b/, called: 'OFF' },
   { begins: '\x1F\x8B', called: 'gzip' },
   { begins: 'PK\x03\x04', called: 'ZIP' },
@@ -33,30 +33,37 @@ const signatures: Signature[] = [
   { begins: /^(\xEF\xBB\xBF)?\s*<\?xml|^\s*<[A-Za-z]/, called: 'XML' },
 ];
 
-/** The format of a file by its content; its name is not asked. Throws on what has no reader, and names it if it can. */
-export function recognise(bytes: Uint8Array): Format {
+const readable = 'PLY, VTP, legacy VTK, OBJ and STL';
+
+/**
+ * The format of a file by its content. Its name is asked only where the content has no mark: an OBJ file may begin with
+ * anything, a binary STL file that was cut is just bytes. Throws on what has no reader, and names it if it can.
+ */
+export function recognise(bytes: Uint8Array, name: string): Format {
   if (bytes.length === 0) throw new FormatError('empty_file', 'The file is empty.');
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, headBytes));
-  const found =
-    signatures.find(({ begins }) => (typeof begins === 'string' ? head.startsWith(begins) : begins.test(head))) ??
-    binaryStl(bytes);
-  if (found?.format) return found.format;
-  if (found) {
-    throw new FormatError(
-      'unsupported_format',
-      `This looks like ${found.called}, which is not read here; PLY and VTP are.`,
-    );
-  }
+  const begins = ({ begins: mark }: Signature) => (typeof mark === 'string' ? head.startsWith(mark) : mark.test(head));
+  const found = signatures.find(begins);
+  const format = found ? found.format : formatWithoutMark(bytes, name);
+  if (format) return format;
+  if (!found) throw new FormatError('not_a_mesh', `This is no mesh file that is known here: ${readable} are.`);
   throw new FormatError(
-    'not_a_mesh',
-    'This is no mesh file that is known here: it begins neither as PLY nor as VTP does.',
+    'unsupported_format',
+    `This looks like ${found.called}, which is not read here; ${readable} are.`,
   );
 }
 
-/** Binary STL has no signature, only a size that fits its count of triangles. */
-function binaryStl(bytes: Uint8Array): Signature | undefined {
-  const [headSize, triangleSize] = [84, 50];
-  if (bytes.length < headSize) return undefined;
-  const count = new DataView(bytes.buffer, bytes.byteOffset).getUint32(headSize - 4, true);
-  return bytes.length === headSize + triangleSize * count ? { begins: '', called: 'STL' } : undefined;
+function formatWithoutMark(bytes: Uint8Array, name: string): Format | undefined {
+  if (isBinaryStl(bytes)) return 'stl';
+  const ending = /\.(stl|obj)$/i.exec(name)?.[1]?.toLowerCase();
+  return ending as 'stl' | 'obj' | undefined;
+}
+
+const [stlHead, stlFacet] = [84, 50];
+
+/** Whether the size of a file is what the count in the head of a binary STL file makes it; it has no other mark. */
+export function isBinaryStl(bytes: Uint8Array): boolean {
+  if (bytes.length < stlHead) return false;
+  const facets = new DataView(bytes.buffer, bytes.byteOffset).getUint32(stlHead - 4, true);
+  return bytes.length === stlHead + stlFacet * facets;
 }

@@ -1,7 +1,7 @@
 import type { Mesh } from '../../wasm/types.ts';
 
 /** The formats that are read and written, by the usual ending of their names. */
-export type Format = 'ply' | 'vtp' | 'vtk';
+export type Format = 'ply' | 'vtp' | 'vtk' | 'obj' | 'stl';
 
 /** What a file says of its variables beside their values. Keys are variable names; `position` is the geometry. */
 export interface Labels {
@@ -16,6 +16,8 @@ export interface Surface extends Labels {
   mesh: Mesh;
   /** What the user should know of the reading: what was changed, what is not carried. One sentence each. */
   notes: string[];
+  /** Points on seams; unless these stay (ReduceOptions.locked), cracks open. */
+  locked?: Uint32Array;
 }
 
 export interface WriteOptions extends Partial<Labels> {

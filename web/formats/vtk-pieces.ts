@@ -34,7 +34,7 @@ export function meshOfPieces(pieces: Piece[], notes: string[]): Mesh {
   const variables = joinArrays(full, notes);
   const position = joinValues(full.map((piece) => piece.position));
   const triangles = joinTriangles(full, notes);
-  if (full.length > 1) notes.push(`${counted(full.length, 'piece')} joined; where they meet, points stay double.`);
+  if (full.length > 1) notes.push(`${counted(full.length, 'piece')} joined.`);
   return { position, triangles, variables };
 }
 

@@ -1,19 +1,54 @@
-import type { Mesh } from '../../wasm/types.ts';
+import type { Mesh, Variable } from '../../wasm/types.ts';
 import type { Format, WriteOptions } from './surface.ts';
+import { listed } from './wording.ts';
+
+interface Writer {
+  write: (mesh: Mesh, options?: WriteOptions) => Uint8Array | Promise<Uint8Array>;
+  /** Variables that the format has no place for. */
+  lost: (mesh: Mesh) => Variable[];
+  /** Whether numbers go out in single precision only. */
+  single: boolean;
+}
+
+const lossless = { lost: () => [], single: false };
 
 /** One writer a format, each loaded when first asked for. */
-const writers: Record<Format, () => Promise<(mesh: Mesh, options?: WriteOptions) => Uint8Array | Promise<Uint8Array>>> =
-  {
-    ply: async () => (await import('./write-ply.ts')).writePly,
-    vtp: async () => (await import('./write-vtp.ts')).writeVtp,
-    vtk: async () => (await import('./write-vtk.ts')).writeVtk,
-  };
+const writers: Record<Format, () => Promise<Writer>> = {
+  ply: async () => ({ write: (await import('./write-ply.ts')).writePly, ...lossless }),
+  vtp: async () => ({ write: (await import('./write-vtp.ts')).writeVtp, ...lossless }),
+  vtk: async () => ({ write: (await import('./write-vtk.ts')).writeVtk, ...lossless }),
+  obj: async () => {
+    const { writeObj, lostInObj } = await import('./write-obj.ts');
+    return { write: writeObj, lost: lostInObj, single: false };
+  },
+  stl: async () => {
+    const { writeStl } = await import('./write-stl.ts');
+    return { write: writeStl, lost: (mesh) => mesh.variables, single: true };
+  },
+};
 
 /**
- * Writes a mesh with all its variables as a file in memory. These formats carry single and double precision as given; names,
- * units and component names come back when the file is read. Throws a FormatError where the format cannot hold the mesh.
+ * Writes a mesh as a file in memory. PLY, VTP and legacy VTK hold all variables in single and double precision as given,
+ * with units and component names; for what others lose ask lossesOf. Throws a FormatError where a format cannot hold a name or size.
  */
 export async function writeSurface(format: Format, mesh: Mesh, options?: WriteOptions): Promise<Uint8Array> {
-  const write = await writers[format]();
+  const { write } = await writers[format]();
   return write(mesh, options);
+}
+
+/** What a file of this format will not hold of the mesh, a sentence each; nothing for PLY, VTP and legacy VTK. */
+export async function lossesOf(format: Format, mesh: Mesh): Promise<string[]> {
+  const { lost, single } = await writers[format]();
+  const sentences: string[] = [];
+  const names = lost(mesh).map(({ name }) => name);
+  if (names.length > 0) sentences.push(`${format.toUpperCase()} has no place for the variables ${listed(names)}.`);
+  const kept = [
+    { name: 'position', values: mesh.position },
+    ...mesh.variables.filter(({ name }) => !names.includes(name)),
+  ];
+  const doubles = kept.filter(({ values }) => values instanceof Float64Array).map(({ name }) => name);
+  if (single && doubles.length > 0) {
+    sentences.push(`${format.toUpperCase()} knows single precision only; rounded: ${listed(doubles)}.`);
+  }
+  return sentences;
 }

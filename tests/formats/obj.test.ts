@@ -1,0 +1,109 @@
+import { describe, expect, it } from 'vitest';
+import { readSurface } from '../../web/formats/read.ts';
+import { lossesOf, writeSurface } from '../../web/formats/write.ts';
+import { expectFault } from './faults.ts';
+import { awkwardDoubles, bits, bytesOf, fingerprint, mixedVariables, smallMesh } from './sample-mesh.ts';
+
+const points = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
+const read = (text: string) => readSurface('mesh.obj', bytesOf(text));
+
+describe('OBJ', () => {
+  it('gives points, triangles and what it has a place for back, in double precision', async () => {
+    const ramp = (length: number) => Float64Array.from({ length }, (_, i) => awkwardDoubles[i % 4] + (i % 5) / 7);
+    const variables = [
+      { name: 'color', components: 3, values: ramp(12) },
+      { name: 'uv', components: 2, values: ramp(8) },
+      { name: 'normal', components: 3, values: ramp(12) },
+    ];
+    const mesh = { ...smallMesh(variables), position: ramp(12) };
+    const { mesh: back, summary } = await readSurface('mesh.obj', await writeSurface('obj', mesh));
+    expect(fingerprint(back)).toEqual(fingerprint(mesh));
+    expect(summary).toBe('');
+    expect(await lossesOf('obj', mesh)).toEqual([]);
+    const [losses] = await lossesOf('obj', smallMesh(mixedVariables()));
+    expect(losses).toMatch(/^OBJ has no place for the variables “pressure”.*“color”/);
+  });
+
+  it('reads polygons, indices from the end, lines that go on, comments', async () => {
+    const { mesh, notes } = await read(
+      `# by hand\n${points}f 1 2 3 4 # not an index\n`.replace(' # not an index', '') + 'f -4 -3 \\\n -1\n',
+    );
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 2, 3, 0, 1, 3]);
+    expect(notes).toEqual(['1 face with more than three corners split into triangles.']);
+  });
+
+  it('keeps the order of the points, and colours as they are', async () => {
+    const { mesh } = await read('v 0 0 0 0.5 0.25 1\nv 1 0 0 1 1 1\nv 1 1 0 0 0 0\nvt 0 0\nvt 1 1\nf 3/1 1/2 2/1\n');
+    expect(mesh.position).toEqual(Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0));
+    expect(mesh.variables.map(({ name, values }) => `${name} ${Array.from(values).join(' ')}`)).toEqual([
+      'color 0.5 0.25 1 1 1 1 0 0 0',
+      'uv 1 1 0 0 0 0',
+    ]);
+    expect(Array.from(mesh.triangles)).toEqual([2, 0, 1]);
+  });
+
+  it('locks the points of texture seams', async () => {
+    const { mesh, locked, notes } = await read(`${points}vt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/1 3/2 4/2\n`);
+    expect(mesh.position.length / 3).toBe(5);
+    expect(Array.from(locked ?? [])).toEqual([2, 3]);
+    expect(mesh.position.subarray(6, 9)).toEqual(mesh.position.subarray(9, 12));
+    expect(notes).toEqual([expect.stringMatching(/^2 points on seams/)]);
+  });
+
+  it('keeps normals that agree, and lets those go that draw creases', async () => {
+    const smooth = await read(`${points}vn 0 0 1\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1//2 3//2 4//2\n`);
+    expect(smooth.mesh.variables.map(({ name }) => name)).toEqual(['normal']);
+    const creased = await read(`${points}vn 0 0 1\nvn 0 1 0\nf 1//1 2//1 3//1\nf 1//2 3//2 4//2\n`);
+    expect(creased.mesh.variables).toEqual([]);
+    expect(creased.mesh.position.length / 3).toBe(4);
+    expect(creased.locked).toBeUndefined();
+    expect(creased.notes).toEqual([expect.stringContaining('creases')]);
+  });
+
+  it('welds repeated points', async () => {
+    const { mesh, notes } = await read(`${points}v 0 0 0\nv 1 1 0\nf 1 2 3\nf 5 6 4\n`);
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 2, 3]);
+    expect(bits(mesh.position)).toBe(bits(Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0)));
+    expect(notes).toEqual(['2 repeated points welded.']);
+  });
+
+  it('names what it does not carry', async () => {
+    const text = `mtllib a.mtl\no thing\n${points}v 2 2 2 1 1 1\nvt 0 0\nusemtl red\ng group\ns off\nl 1 2\nf 1/1 2/1 3/1\nf 1 3 4\n`;
+    const { summary } = await read(text);
+    for (const lost of [
+      'materials',
+      'object names',
+      'lines',
+      'uv, since not every corner',
+      'colours, since not every point',
+    ]) {
+      expect(summary).toContain(lost);
+    }
+    expect((await read(`${points}vt 0 0\nf 1/1 2/1 3/1\n`)).summary).toBe('1 point that no face uses left out.');
+  });
+
+  it.each([
+    ['an index beyond the points', `${points}f 1 2 5\n`, 'bad_index', 'Face 0', 'point 4', '4 points'],
+    ['an index before the first', `${points}f 1 2 -5\n`, 'bad_index', '“-5”', 'line 5'],
+    ['index 0', `${points}f 0 1 2\n`, 'bad_index', '“0”', 'line 5'],
+    ['an index that is none', `${points}f 1 2 x\n`, 'bad_index', '“x”', 'line 5'],
+    ['a huge index', `${points}f 1 2 99999999999\n`, 'bad_index', 'line 5'],
+    ['an index beyond the texture', `${points}vt 0 0\nf 1/1 2/1 3/2\n`, 'bad_index', 'vt 2', 'only 1'],
+    ['a face of two corners', `${points}f 1 2\n`, 'bad_polygon', 'Face 0', '2 corners'],
+    ['a face of no corners', `${points}f\n`, 'bad_polygon', '0 corners'],
+    ['a word for a number', 'v 0 0 zero\n', 'bad_number', '“zero”', 'line 1'],
+    ['two coordinates', 'v 0 0\n', 'bad_number', '3 numbers', 'line 1'],
+    ['an unknown line', `${points}spam 1\n`, 'bad_header', '“spam”', 'line 5'],
+    ['a line that never ends', `${points}f 1 2 \\\n`, 'truncated', 'go on'],
+    ['no faces', points, 'no_triangles', '4 points'],
+  ] as const)('with %s is refused', async (_, text, code, ...words) => {
+    await expectFault(text, code, ...words);
+  });
+
+  it('is read by its name where its content has no mark', async () => {
+    await expect(read('g nothing\n')).rejects.toMatchObject({ code: 'no_points' });
+    expect((await readSurface('', bytesOf(`# by\n# someone\nmtllib a.mtl\no a\n${points}f 1 2 3\n`))).format).toBe(
+      'obj',
+    );
+  });
+});

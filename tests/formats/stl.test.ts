@@ -1,0 +1,99 @@
+import { describe, expect, it } from 'vitest';
+import { readSurface } from '../../web/formats/read.ts';
+import { lossesOf, writeSurface } from '../../web/formats/write.ts';
+import { expectFault } from './faults.ts';
+import { bytesOf, smallMesh } from './sample-mesh.ts';
+
+const facet = 'facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 .1 0\n endloop\nendfacet\n';
+
+describe('STL', () => {
+  it('gives the surface back, welded', async () => {
+    const mesh = smallMesh();
+    const { mesh: back, notes } = await readSurface('mesh.stl', await writeSurface('stl', mesh));
+    const places = (from: typeof mesh) =>
+      Array.from(from.triangles, (point) => Array.from(from.position.subarray(3 * point, 3 * point + 3)));
+    expect(back.position).toBeInstanceOf(Float32Array);
+    expect(back.position.length).toBe(mesh.position.length);
+    expect(places(back)).toEqual(places(mesh));
+    expect(notes).toEqual(['5 repeated points welded.']);
+  });
+
+  it('is written with the normals of its facets', async () => {
+    const file = await writeSurface('stl', {
+      position: Float64Array.of(0, 0, 0, 2, 0, 0, 0, 2, 0),
+      triangles: Uint32Array.of(0, 1, 2, 0, 0, 0),
+      variables: [],
+    });
+    const view = new DataView(file.buffer);
+    const normal = (index: number) => [0, 4, 8].map((at) => view.getFloat32(84 + 50 * index + at, true));
+    expect([normal(0), normal(1)]).toEqual([
+      [0, 0, 1],
+      [0, 0, 0],
+    ]);
+    expect(file.length).toBe(84 + 50 * 2);
+  });
+
+  it('is read from text, in double precision, of several solids in any case', async () => {
+    const text = `solid one\n${facet}endsolid one\nSOLID\n${facet.toUpperCase().replace('1 0 0', '1 0 1E0')}ENDSOLID\n`;
+    const { mesh } = await readSurface('mesh.stl', bytesOf(text));
+    expect(mesh.position).toEqual(Float64Array.of(0, 0, 0, 1, 0, 0, 0, 0.1, 0, 1, 0, 1));
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 3, 2]);
+  });
+
+  it('is told by its size although it begins with “solid”, and names colours as lost', async () => {
+    const file = await writeSurface('stl', smallMesh());
+    file.set(bytesOf('solid '));
+    file[84 + 48] = 7;
+    const { format, summary } = await readSurface('mesh', file);
+    expect(format).toBe('stl');
+    expect(summary).toContain('attributes of 1 facet.');
+  });
+
+  it.each([
+    ['without end', `solid\n${facet}`, 'truncated', '1 facet', 'endsolid'],
+    ['with an open facet', `solid\n${facet.replace('endfacet', '')}endsolid`, 'truncated', '0 facets'],
+    ['without facets', 'solid\nendsolid\n', 'no_triangles', 'no facets'],
+    [
+      'with four corners',
+      `solid\n${facet.replace('endloop', 'vertex 1 1 1')}endsolid`,
+      'bad_polygon',
+      'Facet 0',
+      '4 corners',
+    ],
+    ['with two coordinates', `solid\n${facet.replace('1 0 0', '1 0')}endsolid`, 'bad_number', 'line 5'],
+    [
+      'with a word for a number',
+      `solid\n${facet.replace('1 0 0', '1 0 one')}endsolid`,
+      'bad_number',
+      '“one”',
+      'line 5',
+    ],
+    ['with an unknown line', `solid\n${facet}colour red\nendsolid`, 'bad_header', '“colour red”', 'line 9'],
+  ] as const)('in text %s is refused', async (_, text, code, ...words) => {
+    await expectFault(text, code, ...words);
+  });
+
+  it('in binary is refused where the header declares more than the file holds', async () => {
+    const file = await writeSurface('stl', smallMesh());
+    const read = (bytes: Uint8Array) => readSurface('mesh.stl', bytes);
+    await expect(read(file.subarray(0, -1))).rejects.toMatchObject({ code: 'truncated' });
+    await expect(read(file.subarray(0, 60))).rejects.toMatchObject({ code: 'truncated' });
+    file.fill(255, 80, 84);
+    await expect(read(file)).rejects.toMatchObject({
+      code: 'truncated',
+      message: expect.stringContaining('4 294 967 295 facets'),
+    });
+  });
+
+  it('says beforehand what it cannot hold', async () => {
+    const mesh = {
+      ...smallMesh([{ name: 'p', components: 1, values: new Float32Array(4) }]),
+      position: new Float64Array(12),
+    };
+    expect(await lossesOf('stl', mesh)).toEqual([
+      'STL has no place for the variables “p”.',
+      expect.stringContaining('rounded: “position”'),
+    ]);
+    expect(await lossesOf('vtp', mesh)).toEqual([]);
+  });
+});

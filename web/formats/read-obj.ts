@@ -1,0 +1,199 @@
+import type { Mesh, Variable } from '../../wasm/types.ts';
+import { FormatError } from './format-error.ts';
+import { GrowingIndices, GrowingNumbers, GrowingPolygons } from './growing-arrays.ts';
+import { checkCorners, type Polygons, triangulate } from './polygons.ts';
+import type { Surface } from './surface.ts';
+import { cutNotes, numbersFrom, type TextLine, textLines } from './text-lines.ts';
+import { gather } from './weld.ts';
+import { weldedSurface } from './welded-surface.ts';
+import { counted, quoted } from './wording.ts';
+
+// Written by hand although three.js has an OBJLoader: that one takes points that do not exist for NaN, makes up normals,
+// converts colours between colour spaces, forgets which corners share a point, and keeps single precision only.
+
+/** What stands at the corners of faces beside the points; `f v/vt/vn` names them in this order. */
+interface CornerData {
+  variable: string;
+  keyword: string;
+  components: number;
+  values: GrowingNumbers;
+  /** For each corner of each face, an index into the values. */
+  indices: GrowingIndices;
+}
+
+const missing = 0xffffffff;
+/** Lines that draw, group or refine without changing the surface. */
+const ignored = new Set([
+  'g',
+  's',
+  'mg',
+  'bevel',
+  'c_interp',
+  'd_interp',
+  'lod',
+  'shadow_obj',
+  'trace_obj',
+  'end',
+  '#',
+]);
+/** Lines whose loss the user should know of. */
+const lossy = new Map([
+  ['o', 'object names'],
+  ['usemtl', 'materials'],
+  ['mtllib', 'materials'],
+  ['usemap', 'textures'],
+  ['maplib', 'textures'],
+  ['l', 'lines'],
+  ['p', 'single points'],
+]);
+const freeForm = 'vp deg bmat step cstype curv curv2 surf parm trim hole scrv sp con ctech stech call csh'.split(' ');
+for (const keyword of freeForm) lossy.set(keyword, 'curves and free-form surfaces');
+
+class ObjFile {
+  points = new GrowingNumbers();
+  colours = new GrowingNumbers();
+  faces = new GrowingPolygons();
+  corners: CornerData[] = [
+    { variable: 'uv', keyword: 'vt', components: 2, values: new GrowingNumbers(), indices: new GrowingIndices() },
+    { variable: 'normal', keyword: 'vn', components: 3, values: new GrowingNumbers(), indices: new GrowingIndices() },
+  ];
+  lost = new Set<string>();
+
+  read(line: TextLine): void {
+    const keyword = line.words[0];
+    const data = this.corners.find((corner) => corner.keyword === keyword);
+    if (keyword === 'v') this.readPoint(line);
+    else if (data) for (const number of numbersFrom(line, 1, data.components)) data.values.push(number);
+    else if (keyword === 'f' || keyword === 'fo') this.readFace(line);
+    else if (lossy.has(keyword)) this.lost.add(lossy.get(keyword) ?? keyword);
+    else if (!ignored.has(keyword) && !keyword.startsWith('#')) {
+      const where = `line ${line.number}`;
+      throw new FormatError('bad_header', `${quoted(keyword)} begins no line of an OBJ file (${where}).`, where);
+    }
+  }
+
+  /** `v x y z`, `v x y z w` or, with a colour, `v x y z r g b`. */
+  private readPoint(line: TextLine): void {
+    for (const coordinate of numbersFrom(line, 1, 3)) this.points.push(coordinate);
+    if (line.words.length >= 7) for (const part of numbersFrom(line, 4, 3)) this.colours.push(part);
+  }
+
+  private readFace(line: TextLine): void {
+    for (const word of line.words.slice(1)) {
+      const indices = word.split('/');
+      this.faces.addCorner(resolve(indices[0], this.points.length / 3, line));
+      for (const [place, { values, components, indices: list }] of this.corners.entries()) {
+        const index = indices[place + 1];
+        list.push(index ? resolve(index, values.length / components, line) : missing);
+      }
+    }
+    this.faces.endPolygon();
+  }
+}
+
+/** Indices count from 1, or backwards from the last with −1. Whether a later line makes them valid is not known yet. */
+function resolve(word: string, count: number, { number }: TextLine): number {
+  const index = /^-?\d{1,10}$/.test(word) ? Number(word) : 0;
+  const resolved = index > 0 ? index - 1 : count + index;
+  if (index !== 0 && resolved >= 0 && resolved < missing) return resolved;
+  const where = `line ${number}`;
+  throw new FormatError(
+    'bad_index',
+    `${quoted(word)} in ${where} is no index of one of ${counted(count, 'point')}.`,
+    where,
+  );
+}
+
+/**
+ * Reads an OBJ file in double precision, since text has none of its own. Points that agree in everything are welded.
+ * Colours at the points become the variable `color`, texture coordinates `uv`, normals `normal` (where they agree).
+ */
+export function readObj(bytes: Uint8Array): Surface {
+  const file = new ObjFile();
+  for (const line of wholeLines(bytes)) file.read(line);
+  const points = file.points.length / 3;
+  const polygons = file.faces.toPolygons();
+  if (points === 0) throw new FormatError('no_points', 'The file has no points.');
+  if (polygons.ends.length === 0) {
+    throw new FormatError('no_triangles', `The file has ${counted(points, 'point')}, but no faces.`);
+  }
+  checkCorners(polygons, points, 'face');
+  const notes = file.lost.size > 0 ? [`Not carried: ${[...file.lost].join(', ')}.`] : [];
+  const { position, variables, ends, corners, copies } = spread(file, polygons, notes);
+  const { triangles, split } = triangulate({ corners, ends }, position, 'face');
+  if (split > 0) notes.push(`${counted(split, 'face')} with more than three corners split into triangles.`);
+  const surface = weldedSurface({ position, triangles, variables }, notes, copies);
+  return { ...surface, notes: [...surface.notes, ...cutNotes(bytes)] };
+}
+
+/** Lines put together where a backslash says that one goes on. */
+function* wholeLines(bytes: Uint8Array): Generator<TextLine> {
+  let begun: string[] = [];
+  for (const { words, number } of textLines(bytes)) {
+    const last = words[words.length - 1];
+    const goesOn = last.endsWith('\\');
+    const whole = goesOn ? [...words.slice(0, -1), last.slice(0, -1)].filter(Boolean) : words;
+    begun = begun.length > 0 ? begun.concat(whole) : whole;
+    if (!goesOn) yield { words: begun, number };
+    if (!goesOn) begun = [];
+  }
+  if (begun.length > 0) throw new FormatError('truncated', 'The file ends in a line that should go on.');
+}
+
+/** What becomes of the points of a file before it is welded; `copies` says how many were added. */
+interface Spread extends Polygons, Pick<Mesh, 'position' | 'variables'> {
+  copies: number;
+}
+
+/** One point for each corner of a face, in the order of the points, if corners have values of their own. */
+function spread(file: ObjFile, polygons: Polygons, notes: string[]): Spread {
+  const points = file.points.length / 3;
+  const perPoint = pointColours(file, points, notes);
+  const perCorner = file.corners.filter((data) => isComplete(data, notes));
+  const position = file.points.toArray();
+  if (perCorner.length === 0) return { ...polygons, position, variables: perPoint, copies: 0 };
+  const { order, place, used } = sortedByPoint(polygons.corners, points);
+  if (used < points) notes.push(`${counted(points - used, 'point')} that no face uses left out.`);
+  const ofPoints = order.map((corner) => polygons.corners[corner]);
+  const variables = [
+    ...perPoint.map((variable) => ({ ...variable, values: gather(variable.values, variable.components, ofPoints) })),
+    ...perCorner.map(({ variable: name, components, values, indices }) => {
+      const list = indices.toArray();
+      const ofCorners = order.map((corner) => list[corner]);
+      return { name, components, values: gather(values.toArray(), components, ofCorners) };
+    }),
+  ];
+  const copies = order.length - used;
+  return { ends: polygons.ends, corners: place, position: gather(position, 3, ofPoints), variables, copies };
+}
+
+/** The corners in the order of their points, where each of them stands in this order, and how many points have corners. */
+function sortedByPoint(corners: Uint32Array, points: number) {
+  const next = new Uint32Array(points + 1);
+  for (const point of corners) next[point + 1]++;
+  const used = next.reduce((sum, count) => sum + (count > 0 ? 1 : 0), 0);
+  for (let point = 0; point < points; point++) next[point + 1] += next[point];
+  const place = corners.map((point) => next[point]++);
+  const order = new Uint32Array(corners.length);
+  for (const [corner, at] of place.entries()) order[at] = corner;
+  return { order, place, used };
+}
+
+function pointColours({ colours }: ObjFile, points: number, notes: string[]): Variable[] {
+  if (colours.length === 3 * points) return [{ name: 'color', components: 3, values: colours.toArray() }];
+  if (colours.length > 0) notes.push('Not carried: colours, since not every point has one.');
+  return [];
+}
+
+/** Whether every corner has a value; throws if one names a value that does not exist. */
+function isComplete({ keyword, variable, components, values, indices }: CornerData, notes: string[]): boolean {
+  const all = indices.toArray();
+  const count = values.length / components;
+  const wrong = all.find((index) => index >= count && index !== missing);
+  if (wrong !== undefined) {
+    throw new FormatError('bad_index', `A face names ${keyword} ${wrong + 1}, but the file has only ${count}.`, 'face');
+  }
+  if (!all.includes(missing)) return true;
+  if (all.some((index) => index !== missing)) notes.push(`Not carried: ${variable}, since not every corner has one.`);
+  return false;
+}

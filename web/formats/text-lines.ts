@@ -1,0 +1,49 @@
+import { parseNumber } from './ascii-numbers.ts';
+import { FormatError } from './format-error.ts';
+import { counted, quoted } from './wording.ts';
+
+const chunkSize = 1 << 20;
+
+/** A line of a text as words, with its number, counted from 1. */
+export interface TextLine {
+  words: string[];
+  number: number;
+}
+
+/** The lines that are not empty, decoded piece by piece: the whole text need not fit into one string. */
+export function* textLines(bytes: Uint8Array, separator: RegExp = /\s+/): Generator<TextLine> {
+  const decoder = new TextDecoder();
+  let rest = '';
+  let number = 0;
+  for (let at = 0; at < bytes.length; at += chunkSize) {
+    const lines = (rest + decoder.decode(bytes.subarray(at, at + chunkSize), { stream: true })).split('\n');
+    rest = lines.pop() ?? '';
+    for (const line of lines) {
+      number++;
+      const text = line.trim();
+      if (text !== '') yield { words: text.split(separator), number };
+    }
+  }
+  const last = (rest + decoder.decode()).trim();
+  if (last !== '') yield { words: last.split(separator), number: number + 1 };
+}
+
+/** `count` numbers from the words of a line, from word `from` on. */
+export function numbersFrom({ words, number }: TextLine, from: number, count: number): number[] {
+  const where = `line ${number}`;
+  if (words.length < from + count) {
+    const message = `${quoted(words.join(' '))} needs ${counted(count, 'number')} (${where}).`;
+    throw new FormatError('bad_number', message, where);
+  }
+  return words.slice(from, from + count).map((word) => {
+    const value = parseNumber(word);
+    if (value !== undefined) return value;
+    throw new FormatError('bad_number', `${quoted(word)} in ${where} is not a number.`, where);
+  });
+}
+
+/** What is to be said of a text that declares no length and may have lost its end. */
+export function cutNotes(bytes: Uint8Array): string[] {
+  if (bytes.length === 0 || bytes[bytes.length - 1] <= 32) return [];
+  return ['The file does not end with a line break: if it was cut short, its last number may be wrong.'];
+}

@@ -1,0 +1,47 @@
+import type { Mesh, Variable } from '../../wasm/types.ts';
+
+/** What OBJ has a place for, and the number of components there. */
+const places = new Map([
+  ['color', 3],
+  ['uv', 2],
+  ['normal', 3],
+]);
+
+/** The variables that an OBJ file cannot hold. */
+export function lostInObj(mesh: Mesh): Variable[] {
+  return mesh.variables.filter(({ name, components }) => places.get(name) !== components);
+}
+
+/**
+ * Writes an OBJ file, in the shortest digits that give every number back. Of the variables it holds `color`, `uv` and
+ * `normal` only: ask lostInObj.
+ */
+export function writeObj(mesh: Mesh): Uint8Array {
+  const held = (name: string) =>
+    mesh.variables.find((variable) => variable.name === name && variable.components === places.get(name));
+  const [color, uv, normal] = ['color', 'uv', 'normal'].map(held);
+  const lines = ['# written by Meshbound'];
+  const points = mesh.position.length / 3;
+  const row = (values: ArrayLike<number>, components: number, point: number) =>
+    Array.from({ length: components }, (_, i) => numberText(values[point * components + i])).join(' ');
+  for (let point = 0; point < points; point++) {
+    lines.push(`v ${row(mesh.position, 3, point)}${color ? ` ${row(color.values, 3, point)}` : ''}`);
+  }
+  for (let point = 0; uv && point < points; point++) lines.push(`vt ${row(uv.values, 2, point)}`);
+  for (let point = 0; normal && point < points; point++) lines.push(`vn ${row(normal.values, 3, point)}`);
+  for (let at = 0; at < mesh.triangles.length; at += 3) {
+    const corners = Array.from(mesh.triangles.subarray(at, at + 3), (corner) => cornerText(corner + 1, uv, normal));
+    lines.push(`f ${corners.join(' ')}`);
+  }
+  return new TextEncoder().encode(`${lines.join('\n')}\n`);
+}
+
+function cornerText(index: number, uv: Variable | undefined, normal: Variable | undefined): string {
+  if (normal) return `${index}/${uv ? index : ''}/${index}`;
+  return uv ? `${index}/${index}` : String(index);
+}
+
+function numberText(value: number): string {
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? 'nan' : value > 0 ? 'inf' : '-inf';
+  return Object.is(value, -0) ? '-0' : String(value);
+}
