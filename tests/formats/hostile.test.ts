@@ -31,6 +31,9 @@ const files: [name: string, bytes: Uint8Array][] = [
     .map((name): [string, Uint8Array] => [name, new Uint8Array(readFileSync(new URL(name, fixtures)))]),
 ];
 
+// Thousands of errors are made here, and nobody reads where.
+Error.stackTraceLimit = 0;
+
 /** What becomes of a file: an error with a name, or a surface. Any other exception goes through and fails the test. */
 async function outcome(bytes: Uint8Array) {
   try {
@@ -52,12 +55,12 @@ describe.each(files)('%s', (name, bytes) => {
       for (let length = 0; length < bytes.length; length++) {
         const cut = await outcome(bytes.subarray(0, length));
         if (cut instanceof FormatError) continue;
+        expectToHoldTogether(cut.mesh);
+        if (!declaresLength) continue;
         const found = fingerprint(cut.mesh);
         // The last number of a text may have lost digits, but then that is suspected.
-        const suspected = cut.summary.includes('line break') ? found.pop() : '';
-        const lost = parts.filter((part) => !found.includes(part) && !(declaresLength && suspected));
-        if (declaresLength) expect(lost).toEqual([]);
-        expect(found.filter((part) => !parts.some((whole) => whole.startsWith(part)))).toEqual([]);
+        const certain = cut.summary.includes('line break') ? -1 : parts.length;
+        expect(found.slice(0, certain)).toEqual(parts.slice(0, certain));
       }
     },
     patience,

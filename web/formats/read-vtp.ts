@@ -6,7 +6,7 @@ import { asEnds, asIndices, meshOfPieces, noPolygons, type Piece, type PointArra
 import type { VtkValues } from './vtk-values.ts';
 import { weld } from './weld.ts';
 import { sealed } from './welded-surface.ts';
-import { counted, grouped, listed, quoted } from './wording.ts';
+import { counted, listed, quoted } from './wording.ts';
 import { childrenOf, parseXml, type XmlNode } from './xml-tree.ts';
 
 // Written by hand on top of an XML parser and an inflater, although vtk.js has an XMLPolyDataReader. On files that VTK writes by
