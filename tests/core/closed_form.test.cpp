@@ -74,9 +74,8 @@ TEST_P(ClosedForm, AnIrregularPlaneInAnyDirectionCollapsesToItsOutline) {
 
 TEST_P(ClosedForm, AFoldedSheetKeepsItsFold) {
     // Two rectangles that meet at a right angle: six corners, four triangles.
-    const Mesh mesh = meshes::mapped(meshes::plane(16, 8, 2, 1), [](glm::dvec3 p) {
-        return p.x <= 1 ? p : glm::dvec3(1, p.y, p.x - 1);
-    });
+    const Mesh mesh = meshes::mapped(meshes::plane(16, 8, 2, 1),
+                                     [](glm::dvec3 p) { return p.x <= 1 ? p : glm::dvec3(1, p.y, p.x - 1); });
     const Reduction reduction = reduce(mesh, {{"position", relative(1e-4)}});
     EXPECT_EQ(reduction.mesh.triangles.size(), 4U);
     const std::set<std::tuple<double, double, double>> corners = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1},
@@ -122,8 +121,8 @@ TEST_P(ClosedForm, ASurfaceWithoutBoundsKeepsOnlyItsTopology) {
 TEST_P(ClosedForm, TheSmallestSurfacesStayAsTheyAre) {
     const Mesh triangle = meshes::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
     EXPECT_EQ(reduce(triangle, {{"position", relative(1)}}).mesh.triangles, triangle.triangles);
-    const Mesh tetrahedron = meshes::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                                 {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+    const Mesh tetrahedron =
+        meshes::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
     EXPECT_EQ(reduce(tetrahedron, {{"position", relative(1)}}).mesh.triangles.size(), 4U);
 }
 

@@ -136,9 +136,11 @@ TEST_P(HeldBack, AFreeVariableHoldsNothingBackAndItsErrorIsReported) {
     const Reduction without = reduce(mesh, {{"position", relative(0.02)}, {"wave", relative(0.1)}});
     meshes::Random random(3);
     meshes::add_scalar(mesh, "noise", [&random](glm::dvec3) { return random.uniform(-1, 1); });
-    for (const Bounds& bounds : {Bounds{{"position", relative(0.02)}, {"wave", relative(0.1)}},
-                                 Bounds{{"*", relative(1e-6)}, {"position", relative(0.02)}, {"wave", relative(0.1)},
-                                        {"noise", free_of_bound()}}}) {
+    for (const Bounds& bounds :
+         {Bounds{{"position", relative(0.02)}, {"wave", relative(0.1)}}, Bounds{{"*", relative(1e-6)},
+                                                                                {"position", relative(0.02)},
+                                                                                {"wave", relative(0.1)},
+                                                                                {"noise", free_of_bound()}}}) {
         const Reduction with = reduce(mesh, bounds);
         EXPECT_EQ(with.vertices, without.vertices);
         EXPECT_EQ(with.mesh.triangles, without.mesh.triangles);

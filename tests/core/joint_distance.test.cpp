@@ -46,11 +46,11 @@ Case random_case(std::uint64_t seed) {
     one.q = random_row(random, dimensions, 2);
     for (std::size_t i = 0; i < dimensions; ++i)
         one.q[i] += one.a[i] + u * (one.b[i] - one.a[i]) + v * (one.c[i] - one.a[i]);
-    if (random.below(5) == 0) one.c = one.b;                                // a segment
-    if (random.below(9) == 0) one.b = one.c = one.a;                        // a point
-    if (random.below(9) == 0)                                               // a needle
+    if (random.below(5) == 0) one.c = one.b;         // a segment
+    if (random.below(9) == 0) one.b = one.c = one.a; // a point
+    if (random.below(9) == 0)                        // a needle
         for (std::size_t i = 0; i < dimensions; ++i) one.c[i] = one.b[i] + 1e-9 * one.c[i];
-    if (random.below(4) == 0)                                               // variables that do not change along u
+    if (random.below(4) == 0) // variables that do not change along u
         for (std::size_t i = 3; i < dimensions; ++i) one.b[i] = one.a[i];
     return one;
 }
@@ -88,7 +88,8 @@ double brute_force(const Case& one, const JointDistance& metric) {
     return search(0, 1, [&](double u) { return search(0, 1 - u, [&](double v) { return at(one, metric, u, v); }); });
 }
 
-Nearest solve(const Case& one, const JointDistance& metric, double enough = 0, double cutoff = JointDistance::infinite) {
+Nearest solve(const Case& one, const JointDistance& metric, double enough = 0,
+              double cutoff = JointDistance::infinite) {
     return metric.to_triangle(one.q.data(), one.a.data(), one.b.data(), one.c.data(), enough, cutoff);
 }
 

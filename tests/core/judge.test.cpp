@@ -127,9 +127,9 @@ TEST(Judge, KeepsItsMeasureOverSixtyOrdersOfMagnitude) {
 TEST(Judge, LooksOnlyAtTheSurface) {
     const Mesh plain = meshes::plane(4, 4);
     Mesh odd = meshes::with_degenerate_triangles(plain);
-    odd.triangles.push_back({0, 0, 1});                                        // no surface
-    std::get<std::vector<double>>(odd.position.values).insert(std::get<std::vector<double>>(odd.position.values).end(),
-                                                              {9, 9, 9});      // a vertex of no triangle
+    odd.triangles.push_back({0, 0, 1}); // no surface
+    std::get<std::vector<double>>(odd.position.values)
+        .insert(std::get<std::vector<double>>(odd.position.values).end(), {9, 9, 9}); // a vertex of no triangle
     EXPECT_LT(judge::judge(odd, plain, {1e-3}).ratio(), 1e-6);
     EXPECT_LT(judge::judge(plain, odd, {1e-3}).ratio(), 1e-6);
 }
@@ -138,7 +138,8 @@ TEST(Judge, ComparesBoundariesAsCurves) {
     const Mesh whole = meshes::plane(10, 10);
     EXPECT_LT(judge::judge_boundary(whole, meshes::plane(1, 1), {1e-3}).ratio(), 1e-6);
     // A hole inside: the surface is near everywhere, its boundary is not. Its far side lies 0.4 from the rim.
-    const Mesh pierced = meshes::cut(whole, [](glm::dvec3 p) { return glm::max(std::abs(p.x - 0.5), std::abs(p.y - 0.5)) > 0.1; });
+    const Mesh pierced =
+        meshes::cut(whole, [](glm::dvec3 p) { return glm::max(std::abs(p.x - 0.5), std::abs(p.y - 0.5)) > 0.1; });
     EXPECT_NEAR(judge::judge_boundary(whole, pierced, {0.1}).from_reduced.ratio, 4, 0.5);
     EXPECT_LT(judge::judge_boundary(whole, pierced, {0.1}).from_original.ratio, 1e-6);
     EXPECT_EQ(judge::judge_boundary(meshes::cube(2), meshes::cube(3), {0.1}).ratio(), 0);
@@ -166,7 +167,8 @@ TEST(JointTree, FindsTheNearestOfAllTriangles) {
         for (double& x : q) x = random.uniform(-8, 8);
         double least = infinity;
         for (const auto& [a, b, c] : surface.triangles)
-            least = std::min(least, metric.to_triangle(q.data(), surface.row(a), surface.row(b), surface.row(c)).distance);
+            least =
+                std::min(least, metric.to_triangle(q.data(), surface.row(a), surface.row(b), surface.row(c)).distance);
         const auto guess = static_cast<std::uint32_t>(random.below(surface.triangles.size()));
         EXPECT_NEAR(tree.nearest(q.data(), 0, guess).nearest.distance, least, 1e-6 * least);
         EXPECT_LE(tree.nearest(q.data(), 1.2 * least, guess).nearest.distance, 1.2 * least);
@@ -175,9 +177,9 @@ TEST(JointTree, FindsTheNearestOfAllTriangles) {
 
 TEST(Sampling, SpendsItsBudgetWhereTheSurfaceIsLarge) {
     // A small and a large square: most samples fall on the large one.
-    const Mesh mesh = meshes::joined(meshes::plane(1, 1, 0.1, 0.1), meshes::mapped(meshes::plane(1, 1), [](glm::dvec3 p) {
-        return p + glm::dvec3(5, 0, 0);
-    }));
+    const Mesh mesh =
+        meshes::joined(meshes::plane(1, 1, 0.1, 0.1),
+                       meshes::mapped(meshes::plane(1, 1), [](glm::dvec3 p) { return p + glm::dvec3(5, 0, 0); }));
     const judge::JointSpace space = judge::joint_space(mesh, {0.01});
     const judge::JointSurface surface = judge::joint_surface(mesh, space);
     std::size_t on_small = 0, on_large = 0;

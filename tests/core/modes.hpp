@@ -1,34 +1,35 @@
 #pragma once
 
+#include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "meshbound/options.hpp"
 
-/// The ways to reduce: every promise holds in each of them.
+/// A way to reduce: every promise holds in each of them.
 struct Mode {
     std::string name;
-    meshbound::Errors errors;
-    meshbound::Cost cost;
+    meshbound::Options reduction;
 
-    meshbound::Options options() const {
-        meshbound::Options options;
-        options.errors = errors;
-        options.cost = cost;
-        return options;
-    }
+    const meshbound::Options& options() const { return reduction; }
+    bool tracked() const { return reduction.errors == meshbound::Errors::tracked; }
 };
 inline std::ostream& operator<<(std::ostream& out, const Mode& mode) { return out << mode.name; }
 
 inline std::vector<Mode> modes() {
     using meshbound::Cost;
     using meshbound::Errors;
-    return {
-        {"PropagatedMaximum", Errors::propagated, Cost::maximum},
-        {"PropagatedIntroduced", Errors::propagated, Cost::introduced},
-    };
+    Mode maximum{"PropagatedMaximum", {}}, introduced{"PropagatedIntroduced", {}}, tracked{"Tracked", {}};
+    maximum.reduction.errors = introduced.reduction.errors = Errors::propagated;
+    maximum.reduction.cost = Cost::maximum;
+    introduced.reduction.cost = Cost::introduced;
+    tracked.reduction.errors = Errors::tracked;
+    Mode unchosen{"TrackedAsLaidOut", tracked.reduction};
+    unchosen.reduction.choose_places = unchosen.reduction.choose_crossings = false;
+    return {maximum, introduced, tracked, unchosen};
 }
 
 /// A test fixture that runs in every mode: EVERY_MODE(Suite) after its declaration.

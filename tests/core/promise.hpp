@@ -39,7 +39,8 @@ inline Reduction reduced(const Mesh& mesh, const meshbound::Bounds& bounds, cons
 
 inline std::vector<double> absolute_bounds(const Reduction& reduction) {
     std::vector<double> bounds;
-    for (const meshbound::VariableReport& variable : reduction.report.variables) bounds.push_back(variable.bound.absolute);
+    for (const meshbound::VariableReport& variable : reduction.report.variables)
+        bounds.push_back(variable.bound.absolute);
     return bounds;
 }
 

@@ -18,7 +18,8 @@ constexpr std::size_t large_sample = 40'000;
 class Samples : public ModeTest {
 protected:
     static void expect_promise(double geometry, double variables, std::size_t most_triangles) {
-        if (meshes::sample_files().empty()) GTEST_SKIP() << "no samples; the build makes some, MESHBOUND_DATA names more";
+        if (meshes::sample_files().empty())
+            GTEST_SKIP() << "no samples; the build makes some, MESHBOUND_DATA names more";
         for (const std::string& file : meshes::sample_files()) {
             SCOPED_TRACE(file);
             const Mesh mesh = meshes::read_ply(file);

@@ -214,8 +214,8 @@ bool JointDistance::advance() const {
     };
     for (std::size_t g = 0; g < quadratics.size(); ++g) {
         const Offset slope = quadratics[g].slope(iterate.place);
-        slack_steps[g] = iterate.level + rise - slacks[g] - quadratics[g].at(iterate.place) -
-                         slope.u * step.u - slope.v * step.v;
+        slack_steps[g] =
+            iterate.level + rise - slacks[g] - quadratics[g].at(iterate.place) - slope.u * step.u - slope.v * step.v;
         weight_steps[g] = (product - weights[g] * slack_steps[g]) / slacks[g] - weights[g];
         keep_positive(slacks[g], slack_steps[g]);
         keep_positive(weights[g], weight_steps[g]);

@@ -41,9 +41,7 @@ private:
     /// The squared distance in one variable: A u² + 2 B u v + C v² + 2 D u + 2 E v + F.
     struct Quadratic {
         double A = 0, B = 0, C = 0, D = 0, E = 0, F = 0;
-        double at(Offset p) const {
-            return (A * p.u + 2 * (B * p.v + D)) * p.u + (C * p.v + 2 * E) * p.v + F;
-        }
+        double at(Offset p) const { return (A * p.u + 2 * (B * p.v + D)) * p.u + (C * p.v + 2 * E) * p.v + F; }
         Offset slope(Offset p) const { return {2 * (A * p.u + B * p.v + D), 2 * (B * p.u + C * p.v + E)}; }
         double rounding(Offset p) const;
     };

@@ -36,7 +36,8 @@ std::vector<double> joint_rows(const meshbound::Mesh& mesh, const JointSpace& sp
 } // namespace
 
 JointSpace joint_space(const meshbound::Mesh& mesh, const std::vector<double>& bounds) {
-    if (bounds.size() != mesh.variables.size() + 1) throw std::invalid_argument("one bound for position, one a variable");
+    if (bounds.size() != mesh.variables.size() + 1)
+        throw std::invalid_argument("one bound for position, one a variable");
     JointSpace space;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         if (!(bounds[i] > 0)) throw std::invalid_argument("a bound must be positive");

@@ -15,7 +15,7 @@ struct JointSpace {
     std::vector<std::size_t> variables; ///< for each bounded variable its number
     std::vector<int> components;        ///< how many numbers it takes in a row
     std::vector<double> bounds;         ///< its bound, in its unit
-    std::vector<double> origin;         ///< what is subtracted before dividing by the bound; one entry a number of a row
+    std::vector<double> origin; ///< what is subtracted before dividing by the bound; one entry a number of a row
     int dimensions() const { return static_cast<int>(origin.size()); }
 };
 

@@ -88,8 +88,8 @@ double JointTree::box_distance(const double* q, std::uint32_t node) const {
 
 void JointTree::try_triangle(const double* q, double enough, std::uint32_t triangle, Foot& foot) const {
     const auto& t = surface.triangles[triangle];
-    const Nearest found = metric.to_triangle(q, surface.row(t[0]), surface.row(t[1]), surface.row(t[2]), enough,
-                                             foot.nearest.distance);
+    const Nearest found =
+        metric.to_triangle(q, surface.row(t[0]), surface.row(t[1]), surface.row(t[2]), enough, foot.nearest.distance);
     if (found.distance < foot.nearest.distance) foot = {found, triangle};
 }
 

@@ -47,8 +47,8 @@ private:
                       std::vector<double>& point) {
         const auto& t = of.triangles[triangle];
         for (std::size_t k = 0; k < point.size(); ++k)
-            point[k] = barycentric[0] * of.row(t[0])[k] + barycentric[1] * of.row(t[1])[k] +
-                       barycentric[2] * of.row(t[2])[k];
+            point[k] =
+                barycentric[0] * of.row(t[0])[k] + barycentric[1] * of.row(t[1])[k] + barycentric[2] * of.row(t[2])[k];
     }
 
     const JointSurface& from;

@@ -11,12 +11,12 @@ namespace judge {
 
 /// The farthest that a sample of one surface lies from the other.
 struct Deviation {
-    double ratio = 0;                     ///< distance in bounds: 1 is the limit; 0 stands for anything below 1e-6
-    std::size_t triangle = 0;             ///< of the sampled surface, counting those with three distinct vertices
-    std::array<double, 3> barycentric{};  ///< where in it
-    std::array<double, 3> position{};     ///< the same place in space
-    std::size_t variable = 0;             ///< which variable is farthest there: 0 position, i + 1 the mesh's variable i
-    std::size_t samples = 0;              ///< how many points were looked at
+    double ratio = 0;                    ///< distance in bounds: 1 is the limit; 0 stands for anything below 1e-6
+    std::size_t triangle = 0;            ///< of the sampled surface, counting those with three distinct vertices
+    std::array<double, 3> barycentric{}; ///< where in it
+    std::array<double, 3> position{};    ///< the same place in space
+    std::size_t variable = 0;            ///< which variable is farthest there: 0 position, i + 1 the mesh's variable i
+    std::size_t samples = 0;             ///< how many points were looked at
 };
 
 /// What the judge found, both ways.

@@ -21,6 +21,10 @@ Mesh moved(const Mesh& mesh, glm::dvec3 by) {
     return mapped(mesh, [by](glm::dvec3 p) { return p + by; });
 }
 
+Mesh shrunk(const Mesh& mesh, double by) {
+    return mapped(mesh, [by](glm::dvec3 p) { return by * p; });
+}
+
 } // namespace
 
 std::vector<Exhibit> gallery() {
@@ -33,8 +37,8 @@ std::vector<Exhibit> gallery() {
         exhibit("noisy sphere", noisy_sphere(10, 0.04, 5), true),
         exhibit("cube", flipped(cube(9), 1000, 6), true, Precision::single),
         exhibit("torus", torus(36, 18), true),
-        exhibit("two-holed plate", pierced_plate(2, 2), true, Precision::single),
-        exhibit("smooth three-holed plate", smoothed(pierced_plate(3, 3), 3), true),
+        exhibit("two-holed plate", shrunk(pierced_plate(2, 3), 0.1), true, Precision::single),
+        exhibit("smooth three-holed plate", smoothed(shrunk(pierced_plate(3, 3), 0.1), 3), true),
         exhibit("sphere and torus", pair, true),
         exhibit("rough plane", rough_plane, false, Precision::single),
         exhibit("bowl", bowl, false),

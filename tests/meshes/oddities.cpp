@@ -70,8 +70,8 @@ Mesh with_vertex_in_triangle(const Mesh& mesh, std::size_t triangle, std::array<
 }
 
 Mesh with_degenerate_triangles(const Mesh& mesh) {
-    const std::vector<std::array<double, 3>> places = {
-        {0.5, 0.5, 0}, {1, 0, 0}, {0.5, 0.5 - 1e-9, 1e-9}, {1 - 2e-9, 1e-9, 1e-9}, {0.25, 0, 0.75}, {0, 0, 1}};
+    const std::vector<std::array<double, 3>> places = {{0.5, 0.5, 0},          {1, 0, 0},       {0.5, 0.5 - 1e-9, 1e-9},
+                                                       {1 - 2e-9, 1e-9, 1e-9}, {0.25, 0, 0.75}, {0, 0, 1}};
     Mesh result = mesh;
     const std::size_t triangles = mesh.triangles.size();
     for (std::size_t t = 0; t < triangles; t += 5)

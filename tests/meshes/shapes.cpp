@@ -130,7 +130,9 @@ Mesh terrain(int power, std::uint64_t seed, double roughness) {
         for (int j = half; j < cells; j += step)
             for (int i = half; i < cells; i += step)
                 at(i, j) = (at(i - half, j - half) + at(i + half, j - half) + at(i - half, j + half) +
-                            at(i + half, j + half)) / 4 + size * random.uniform(-1, 1);
+                            at(i + half, j + half)) /
+                               4 +
+                           size * random.uniform(-1, 1);
         for (int j = 0; j <= cells; j += half)
             for (int i = (j / half) % 2 == 0 ? half : 0; i <= cells; i += step) {
                 double sum = 0, count = 0;

@@ -43,9 +43,8 @@ meshbound::Mesh voxel_surface(glm::ivec3 cells, const std::function<bool(glm::iv
 }
 
 meshbound::Mesh pierced_plate(int holes, int cells) {
-    return voxel_surface({(2 * holes + 1) * cells, 3 * cells, cells}, [cells](glm::ivec3 p) {
-        return (p.x / cells) % 2 == 0 || (p.y / cells) % 2 == 0;
-    });
+    return voxel_surface({(2 * holes + 1) * cells, 3 * cells, cells},
+                         [cells](glm::ivec3 p) { return (p.x / cells) % 2 == 0 || (p.y / cells) % 2 == 0; });
 }
 
 meshbound::Mesh smoothed(const meshbound::Mesh& mesh, int rounds) {
