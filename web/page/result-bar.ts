@@ -29,7 +29,8 @@ export class ResultBar extends LitElement {
         flex-wrap: wrap;
         gap: var(--gap) 24px;
         align-items: center;
-        min-height: 48px;
+        /* Room for two lines, so that the stage keeps its height. */
+        min-height: 56px;
         padding: 8px 16px;
       }
       .sentence {

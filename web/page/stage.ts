@@ -182,7 +182,10 @@ export class Stage extends LitElement {
   #applySettings(viewer: Viewer): void {
     viewer.cameras.linked = this.settings.linked;
     viewer.edges = this.settings.edges;
-    for (const side of [original, reduced]) viewer.recolour(side, this.#paint(side));
+    for (const side of [original, reduced]) {
+      // What is about to be replaced keeps its colours; what replaces it takes the new settings when it is drawn.
+      if (this.#drawn[side] === this.#due(side)) viewer.recolour(side, this.#paint(side));
+    }
   }
 
   /** Makes map and legend of a side those of what it has drawn, and returns the places of its corners in the map. */
@@ -198,6 +201,11 @@ export class Stage extends LitElement {
       missing: shown(missingColour),
     });
     return colouring.places;
+  }
+
+  /** What a side is to show. */
+  #due(side: number): Mesh | null {
+    return (side === original ? this.surface : this.result)?.mesh ?? null;
   }
 
   #colouring(side: number): Colouring | null {

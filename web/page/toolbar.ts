@@ -2,11 +2,15 @@ import { css, html, LitElement } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { type ValueColormap, valueColormaps } from '../colour/colormaps.ts';
 import { componentsOf } from '../colour/field.ts';
+import type { Format } from '../formats/surface.ts';
 import type { BoundSettings } from '../session/bound-setting.ts';
 import type { Sample } from '../session/services.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { controlsStyle } from './controls-style.ts';
 import { firstView, type ViewSettings } from './view-settings.ts';
+
+/** What the file dialogue offers; a file that is dropped is judged by its content. */
+const openedFormats: Format[] = ['ply', 'vtp', 'vtk', 'obj', 'stl'];
 
 /**
  * File, sample, colours and view.
@@ -103,7 +107,7 @@ export class Toolbar extends LitElement {
   #fileControls() {
     return html`
       <button @click=${this.#browse}>Open…</button>
-      <input type="file" hidden accept=".ply,.vtp" @change=${this.#openFile} />
+      <input type="file" hidden accept=${openedFormats.map((format) => `.${format}`).join()} @change=${this.#openFile} />
       <label>
         <span class="soft">Sample</span>
         <select @change=${this.#openSample}>

@@ -2,11 +2,6 @@
 export class Latest {
   #controller: AbortController | null = null;
 
-  /** Whether a task is running. */
-  get busy(): boolean {
-    return this.#controller !== null;
-  }
-
   /** Resolves to the task's outcome, or to `superseded` where a newer task (or abort) took its place. */
   async run<Outcome>(task: (signal: AbortSignal) => Promise<Outcome>): Promise<Outcome | typeof superseded> {
     this.abort();
