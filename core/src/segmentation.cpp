@@ -1,0 +1,116 @@
+#include "meshbound/segmentation.hpp"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "segmentation_cutting.hpp"
+#include "segmentation_faces.hpp"
+#include "segmentation_outline.hpp"
+#include "segmentation_pieces.hpp"
+
+namespace meshbound {
+namespace {
+
+/// Barycentric coordinates of the place at `share` along an edge of a triangle.
+glm::dvec3 place_on_edge(const glm::uvec3& triangle, const glm::uvec2& edge, double share) {
+    glm::dvec3 place(0);
+    for (int i = 0; i < 3; ++i) {
+        if (triangle[i] == edge.x) place[i] = 1 - share;
+        if (triangle[i] == edge.y) place[i] = share;
+    }
+    return place;
+}
+
+glm::dvec3 place_at_vertex(const glm::uvec3& triangle, std::uint32_t vertex) {
+    return place_on_edge(triangle, {vertex, vertex}, 1);
+}
+
+double area(const Mesh& mesh, const glm::uvec3& triangle) {
+    const auto point = [&](int corner) {
+        return glm::dvec3(value_at(mesh.position, triangle[corner], 0), value_at(mesh.position, triangle[corner], 1),
+                          value_at(mesh.position, triangle[corner], 2));
+    };
+    return glm::length(glm::cross(point(1) - point(0), point(2) - point(0))) / 2;
+}
+
+double area(const Mesh& mesh) {
+    double sum = 0;
+    for (const glm::uvec3& triangle : mesh.triangles) sum += area(mesh, triangle);
+    return sum;
+}
+
+bool repeats_vertex(const glm::uvec3& triangle) {
+    return triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x;
+}
+
+void cut_into_cells(const Mesh& original, const Reduction& reduction, Segmentation& segmentation) {
+    const Faces faces(reduction.mesh.triangles);
+    const Outlines outlines(original, reduction, faces);
+    CellCutter cutter(faces);
+    Outline outline;
+    for (std::uint32_t triangle = 0; triangle < original.triangles.size(); ++triangle) {
+        if (repeats_vertex(original.triangles[triangle])) continue;
+        outlines.trace(triangle, outline);
+        cutter.cut(triangle, outline, segmentation);
+    }
+}
+
+/// Triangulates all cells and adds up what is folded.
+void cut_into_pieces(const Mesh& original, const Reduction& reduction, Segmentation& segmentation) {
+    CellTriangulation triangulation;
+    std::vector<CellPlace> places;
+    double folded_original = 0, folded_reduced = 0;
+    for (SegmentationCell& cell : segmentation.cells) {
+        cell.first_piece = static_cast<std::uint32_t>(segmentation.pieces.size());
+        const std::uint32_t* corners = &segmentation.corners[cell.first_corner];
+        places.clear();
+        for (std::uint32_t i = 0; i < cell.corner_count; ++i)
+            places.push_back({place_in_original(original, reduction, cell, corners[i]),
+                              place_in_reduced(reduction, cell, corners[i])});
+        const std::size_t folded_before = segmentation.folded_pieces;
+        triangulation.visit(places, [&](std::size_t i, std::size_t j, std::size_t k) {
+            segmentation.pieces.push_back({corners[i], corners[j], corners[k]});
+            const PieceShares shares = piece_shares(places[i], places[j], places[k]);
+            if (!shares.folded()) return;
+            ++segmentation.folded_pieces;
+            folded_original += shares.original * area(original, original.triangles[cell.original]);
+            folded_reduced -= shares.reduced * area(reduction.mesh, reduction.mesh.triangles[cell.reduced]);
+        });
+        if (segmentation.folded_pieces > folded_before) ++segmentation.folded_cells;
+    }
+    if (folded_original > 0) segmentation.folded_original = folded_original / area(original);
+    if (folded_reduced > 0) segmentation.folded_reduced = folded_reduced / area(reduction.mesh);
+}
+
+} // namespace
+
+glm::dvec3 place_in_original(const Mesh& original, const Reduction& reduction, const SegmentationCell& cell,
+                             std::uint32_t corner) {
+    const glm::uvec3& triangle = original.triangles[cell.original];
+    const std::size_t vertices = reduction.map.places.size();
+    if (corner < vertices) return place_at_vertex(triangle, corner);
+    const MapCrossing& crossing = reduction.map.crossings[corner - vertices];
+    return place_on_edge(triangle, crossing.original, crossing.s);
+}
+
+glm::dvec3 place_in_reduced(const Reduction& reduction, const SegmentationCell& cell, std::uint32_t corner) {
+    const glm::uvec3& triangle = reduction.mesh.triangles[cell.reduced];
+    const std::size_t vertices = reduction.map.places.size();
+    if (corner >= vertices) {
+        const MapCrossing& crossing = reduction.map.crossings[corner - vertices];
+        return place_on_edge(triangle, crossing.reduced, crossing.t);
+    }
+    const auto kept = std::lower_bound(reduction.vertices.begin(), reduction.vertices.end(), corner);
+    if (kept == reduction.vertices.end() || *kept != corner) return reduction.map.places[corner].barycentric;
+    return place_at_vertex(triangle, static_cast<std::uint32_t>(kept - reduction.vertices.begin()));
+}
+
+void segment(const Mesh& original, const Reduction& reduction, Segmentation& segmentation) {
+    segmentation = {};
+    if (reduction.map.places.empty()) return;
+    cut_into_cells(original, reduction, segmentation);
+    cut_into_pieces(original, reduction, segmentation);
+}
+
+} // namespace meshbound

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "meshbound/map.hpp"
+
+namespace meshbound {
+
+/// Finds triangles of a mesh by their vertices; nowhere if there is none.
+class Faces {
+public:
+    explicit Faces(const std::vector<glm::uvec3>& triangles);
+
+    /// The triangle that has the edge in this direction: the one on its left.
+    std::uint32_t left_of(std::uint32_t from, std::uint32_t to) const;
+    /// The triangle of three vertices, in this orientation if there is one.
+    std::uint32_t of(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+
+private:
+    std::uint32_t oriented(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+
+    const std::vector<glm::uvec3>* triangles_;
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> half_edges_; // sorted: ends, triangle
+};
+
+} // namespace meshbound
