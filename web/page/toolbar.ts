@@ -65,6 +65,9 @@ export class Toolbar extends LitElement {
       select.narrow {
         width: 104px;
       }
+      select.wide {
+        width: 200px;
+      }
       @media (max-width: 800px) {
         .view {
           margin-left: 0;
@@ -74,6 +77,9 @@ export class Toolbar extends LitElement {
         }
         select.narrow {
           width: 96px;
+        }
+        select.wide {
+          width: 160px;
         }
       }
     `,
@@ -133,7 +139,7 @@ export class Toolbar extends LitElement {
       </label>
       <label>
         <span class="soft">Reduced shows</span>
-        <select
+        <select class="wide"
           @change=${(event: Event) => this.#change({ errorOf: chosen(event) === '' ? null : chosen(event) })}
         >
           <option value="" .selected=${live(errorOf === null)}>values</option>
