@@ -32,13 +32,21 @@ class Removal {
 public:
     Removal(Surface& surface, const Rows& rows, Accounting& accounting);
 
+    /// How hard to look for a retriangulation that stays within the limit.
+    enum class Effort {
+        best,     ///< the cheapest one, or none
+        thorough, ///< if the cheapest one fails, the fan around each ring vertex too
+    };
+
     /// Removes the candidate if every error stays within the limit (squared ratio), else leaves everything as it was.
-    Verdict attempt(std::uint32_t candidate, double squared_limit);
+    Verdict attempt(std::uint32_t candidate, double squared_limit, Effort effort);
 
     /// The hole of the last attempt: after a removal its ring is what changed.
     const Hole& hole() const { return hole_; }
 
 private:
+    Measured try_fans(double squared_limit, Measured refused);
+
     Surface& surface_;
     const Rows& rows_;
     Accounting& accounting_;

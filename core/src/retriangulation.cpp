@@ -79,4 +79,17 @@ bool Retriangulator::triangulate(const Rows& rows, const Hole& hole, const Legal
     return true;
 }
 
+bool Retriangulator::fan(const Hole& hole, const Legality& legality, int hub, Retriangulation& best) {
+    const int size = hole.size();
+    middle_.assign(at(size * size), -1);
+    for (int a = 0; a + 1 < hub; ++a) middle_[at(a * size + hub)] = a + 1;
+    for (int b = hub + 2; b < size; ++b) middle_[at(hub * size + b)] = b - 1;
+    if (hub > 0 && hub < size - 1) middle_[at(size - 1)] = hub;
+    unfold(size, best);
+    for (const NewTriangle& triangle : best.triangles)
+        if (!legality.allows_edge(triangle.a, triangle.b) || !legality.allows_triangle(triangle.a, triangle.m, triangle.b))
+            return false;
+    return true;
+}
+
 } // namespace meshbound

@@ -25,6 +25,9 @@ public:
     /// Fills `best`; false where no legal triangulation exists.
     bool triangulate(const Rows& rows, const Hole& hole, const Legality& legality, HoleCost& cost, Retriangulation& best);
 
+    /// The triangulation whose triangles all meet at ring position `hub`; false where it is not legal.
+    bool fan(const Hole& hole, const Legality& legality, int hub, Retriangulation& best);
+
 private:
     void solve(const Rows& rows, const Hole& hole, const Legality& legality, HoleCost& cost);
     void unfold(int size, Retriangulation& best) const;

@@ -10,8 +10,11 @@ Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std
 
 bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker) {
     const double share = 1.0 / static_cast<double>(limits.size());
-    for (std::size_t i = 0; i < limits.size(); ++i)
-        if (!sweep_once(limits[i] * limits[i], ticker, static_cast<double>(i) * share, share)) return false;
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+        const bool last = i + 1 == limits.size(); // before, a refused candidate gets another chance anyway
+        const Removal::Effort effort = last ? Removal::Effort::thorough : Removal::Effort::best;
+        if (!sweep_once(limits[i] * limits[i], effort, ticker, static_cast<double>(i) * share, share)) return false;
+    }
     return true;
 }
 
@@ -30,9 +33,9 @@ void Sweeper::queue(std::uint32_t vertex) {
     queue_.push_back(vertex);
 }
 
-void Sweeper::attempt(std::uint32_t vertex, double squared_limit) {
+void Sweeper::attempt(std::uint32_t vertex, double squared_limit, Removal::Effort effort) {
     fresh_[vertex] = 0;
-    verdicts_[vertex] = removal_.attempt(vertex, squared_limit);
+    verdicts_[vertex] = removal_.attempt(vertex, squared_limit, effort);
     if (verdicts_[vertex].refusal != Refusal::none) return;
     candidate_[vertex] = 0;
     for (const std::uint32_t neighbour : removal_.hole().ring) {
@@ -41,12 +44,12 @@ void Sweeper::attempt(std::uint32_t vertex, double squared_limit) {
     }
 }
 
-bool Sweeper::sweep_once(double squared_limit, Ticker& ticker, double start, double share) {
+bool Sweeper::sweep_once(double squared_limit, Removal::Effort effort, Ticker& ticker, double start, double share) {
     queue_candidates(squared_limit);
     for (std::size_t next = 0; next < queue_.size(); ++next) {
         const std::uint32_t vertex = queue_[next];
         queued_[vertex] = 0;
-        attempt(vertex, squared_limit);
+        attempt(vertex, squared_limit, effort);
         const double done = static_cast<double>(next + 1) / static_cast<double>(queue_.size());
         if (!ticker.tick(accounting_.work(), start + share * done)) return false;
     }

@@ -23,10 +23,10 @@ public:
     const Verdict& verdict(std::uint32_t vertex) const { return verdicts_[vertex]; }
 
 private:
-    bool sweep_once(double squared_limit, Ticker& ticker, double start, double share);
+    bool sweep_once(double squared_limit, Removal::Effort effort, Ticker& ticker, double start, double share);
     void queue_candidates(double squared_limit);
     void queue(std::uint32_t vertex);
-    void attempt(std::uint32_t vertex, double squared_limit);
+    void attempt(std::uint32_t vertex, double squared_limit, Removal::Effort effort);
 
     Surface& surface_;
     Accounting& accounting_;
