@@ -19,10 +19,10 @@ export interface PeerResult {
   seconds: number;
 }
 
-/** How often a peer may run for one surface and pair of bounds: fewer times where a run takes longer. */
-const allowed = { least: 16, most: 100, triangles: 800_000 };
+/** How often a peer may run for one surface and pair of bounds, by the time that it takes. */
+const allowed = { least: 24, most: 150, seconds: 20 };
 /** To be raised when the search changes, so that results kept from before are not taken. */
-const searchVersion = 1;
+const searchVersion = 2;
 /** The judge's accuracy, as a fraction of a bound. */
 const hair = 1e-6;
 
@@ -40,13 +40,13 @@ export function bestOfPeer(peer: Peer, name: string, task: Task, judge: Judge): 
 async function search(peer: Peer, task: Task, judge: Judge): Promise<PeerResult> {
   const trial = join(places.cache, `trial-${process.pid}.ply`);
   const triangles = task.mesh.triangles.length / 3;
-  const allowance = Math.min(allowed.most, Math.max(allowed.least, Math.round(allowed.triangles / triangles)));
+  const inTime = Math.round((allowed.seconds * peer.pace) / triangles);
+  const allowance = Math.min(allowed.most, Math.max(allowed.least, inTime));
   const started = performance.now();
   const simplify = await peer.open(task);
   const original = { triangles, variables: task.mesh.variables.length };
-  const found = await new Search(simplify, (path) => judge.passes(path), trial, original, allowance).fewest(
-    peer.options,
-  );
+  const run = new Search(simplify, (path) => judge.beyond(path), trial, original, allowance);
+  const found = await run.fewest(peer.options, peer.starts);
   const again = await simplify(found.setting, found.target, trial);
   const [ratio, boundaryRatio] = await judge.ratios(trial);
   rmSync(trial);

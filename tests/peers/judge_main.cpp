@@ -2,7 +2,7 @@
 //
 //     surface PATH                the original from here on               -> surface TRIANGLES VARIABLES
 //     bounds GEOMETRY VARIABLES   in percent, as Meshbound reads them     -> bounds ABSOLUTE... (position first)
-//     within PATH                 does the judge pass this mesh?          -> within 0|1
+//     beyond PATH                 the variable at fault (0 is position)   -> beyond VARIABLE, or beyond -1: it passes
 //     ratio PATH                  what does it measure?                   -> ratio SURFACE BOUNDARY
 //     reduce tracked|propagated   Meshbound, judged                       -> reduced TRIANGLES SECONDS SURFACE BOUNDARY
 //
@@ -12,6 +12,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -32,7 +33,7 @@ public:
         words >> command >> std::ws;
         if (command == "surface") return surface(rest(words));
         if (command == "bounds") return set_bounds(words);
-        if (command == "within") return within(rest(words));
+        if (command == "beyond") return beyond(rest(words));
         if (command == "ratio") return "ratio " + judged(meshes::read_ply(rest(words)));
         if (command == "reduce") return reduce(rest(words));
         throw std::invalid_argument("no such request: " + command);
@@ -75,9 +76,10 @@ private:
         return out.str();
     }
 
-    std::string within(const std::string& path) {
+    std::string beyond(const std::string& path) {
         if (!verdict) verdict = std::make_unique<peers::Verdict>(original, absolute);
-        return verdict->within(meshes::read_ply(path)) ? "within 1" : "within 0";
+        const std::optional<std::size_t> variable = verdict->beyond(meshes::read_ply(path));
+        return variable ? "beyond " + std::to_string(*variable) : "beyond -1";
     }
 
     std::string judged(const meshbound::Mesh& reduced) const {

@@ -41,6 +41,8 @@ export async function meshoptimizer(): Promise<Peer> {
     name: 'meshoptimizer',
     version: JSON.parse(readFileSync(manifest, 'utf8')).version,
     options: [update, byError, ...flags],
+    starts: [[update], [update, 'LockBorder'], [], ['LockBorder']],
+    pace: 150_000,
     open: async (task) => simplifier(inputOf(task), task.mesh),
     close() {},
   };

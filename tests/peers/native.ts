@@ -42,9 +42,10 @@ export class Judge {
     return this.numbers(`bounds ${geometry} ${variables}`);
   }
 
-  /** Whether the mesh in a PLY file lies within the bounds. */
-  async passes(path: string): Promise<boolean> {
-    return (await this.numbers(`within ${path}`))[0] === 1;
+  /** Nothing where the mesh in a PLY file lies within the bounds; else the variable at fault, 0 for position. */
+  async beyond(path: string): Promise<number | undefined> {
+    const [variable] = await this.numbers(`beyond ${path}`);
+    return variable < 0 ? undefined : variable;
   }
 
   async reduce(errors: 'tracked' | 'propagated'): Promise<Reduced> {

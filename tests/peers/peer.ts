@@ -26,6 +26,10 @@ export interface Peer {
   version: string;
   /** Options that can be switched on and off in search of the best. */
   options: string[];
+  /** The sets of options to start the search from. */
+  starts: string[][];
+  /** Triangles that it reduces in a second, more or less: a peer that is quick may run more often. */
+  pace: number;
   open(task: Task): Promise<Simplify>;
   close(): void;
 }

@@ -11,13 +11,16 @@ export interface Found {
 }
 
 /** How all weights together are tried first, then how those of the best are changed, coarse to fine. */
-const firstFactors = [1, 0.25, 4, 0.06, 16];
+const firstFactors = [1, 8, 64, 0.125];
 const refinements = [2, 1.4, 1.2];
 /** A setting is worth more runs if it passes with this part of the triangles of the best so far. More fail more often, but not always. */
-const hopes = [0.97, 0.92];
+const hopes = [0.97, 0.9];
 /** Two numbers of triangles this close need no more bisection. */
 const closeEnough = 0.985;
 const largestStep = 0.5;
+/** A variable at fault gets this much more weight, so many times in a row. */
+const moreWeight = 1.5;
+const mends = 5;
 
 /**
  * Looks for the fewest triangles with which a peer's result passes: by bisection of the number for one setting, and by
@@ -26,47 +29,48 @@ const largestStep = 0.5;
 export class Search {
   private best: Found;
   private runs = 0;
+  /** The variable at fault in the last run; 0 is position. */
+  private fault = 0;
 
   constructor(
     private readonly simplify: Simplify,
-    private readonly passes: (path: string) => Promise<boolean>,
+    /** The variable at fault in a PLY file, or nothing where it passes. */
+    private readonly beyond: (path: string) => Promise<number | undefined>,
     private readonly trial: string,
     /** Triangles and variables of the original. */
     private readonly original: { triangles: number; variables: number },
     private readonly allowance: number,
   ) {
     const { triangles } = original;
-    this.best = { triangles, target: triangles, setting: this.uniform(1), runs: 0 };
+    this.best = { triangles, target: triangles, setting: this.uniform(1, []), runs: 0 };
   }
 
-  async fewest(options: string[]): Promise<Found> {
-    for (const factor of firstFactors) await this.descend(this.uniform(factor));
+  async fewest(options: string[], starts: string[][]): Promise<Found> {
+    for (const factor of firstFactors) {
+      for (const start of starts) await this.descend(this.uniform(factor, start));
+    }
+    await this.mend();
     for (const refinement of refinements) {
       let before: number;
       do {
         before = this.best.triangles;
         for (const move of this.moves(options, refinement)) await this.descend(move(this.best.setting));
+        await this.mend();
       } while (this.best.triangles < before && !this.isOver());
     }
     return { ...this.best, runs: this.runs };
   }
 
-  private uniform(factor: number): Setting {
-    return { weights: Array(this.original.variables).fill(factor), options: [] };
+  private uniform(factor: number, options: string[]): Setting {
+    return { weights: Array(this.original.variables).fill(factor), options };
   }
 
   private moves(options: string[], step: number): ((from: Setting) => Setting)[] {
     const steps = [step, 1 / step];
-    const scaled = (from: Setting, factor: number, only?: number): Setting => ({
-      ...from,
-      weights: from.weights.map((weight, variable) =>
-        only === undefined || only === variable ? weight * factor : weight,
-      ),
-    });
     const variables = this.original.variables > 1 ? [...Array(this.original.variables).keys()] : [];
     return [
-      ...options.map((option) => (from: Setting) => toggled(from, option)),
       ...steps.map((factor) => (from: Setting) => scaled(from, factor)),
+      ...options.map((option) => (from: Setting) => toggled(from, option)),
       ...variables.flatMap((variable) => steps.map((factor) => (from: Setting) => scaled(from, factor, variable))),
     ];
   }
@@ -75,29 +79,28 @@ export class Search {
     return this.runs >= this.allowance;
   }
 
-  /** Whether the peer passes with at most `target` triangles, so that there is a new best. */
+  /** Whether the peer passes with about `target` triangles, and fewer than the best so far; then this is the best. */
   private async improves(setting: Setting, target: number): Promise<boolean> {
-    if (this.isOver()) return false;
+    if (this.isOver() || target < 1) return false;
     this.runs++;
     const triangles = await this.simplify(setting, target, this.trial);
-    if (triangles === 0 || triangles >= this.best.triangles || !(await this.passes(this.trial))) return false;
-    this.best = { triangles, target, setting, runs: this.runs };
-    return true;
+    if (triangles === 0 || triangles >= this.best.triangles) return false;
+    const fault = await this.beyond(this.trial);
+    this.fault = fault ?? this.fault;
+    if (fault === undefined) this.best = { triangles, target, setting, runs: this.runs };
+    return fault === undefined;
   }
 
   /** As few triangles as this setting gives, if that is fewer than the best so far. */
   private async descend(setting: Setting): Promise<void> {
     const isFirst = this.best.triangles === this.original.triangles;
-    let fails = 0;
     if (!isFirst && !(await this.isHopeful(setting))) return;
-    for (
-      let step = isFirst ? largestStep : hopes[0] ** 2;
-      fails === 0 && !this.isOver();
-      step = Math.max(step ** 2, largestStep)
-    ) {
+    let step = isFirst ? largestStep : hopes[0];
+    let fails = 0;
+    while (fails === 0 && !this.isOver()) {
       const target = Math.floor(this.best.triangles * step);
-      if (target < 1) return;
-      if (!(await this.improves(setting, target))) fails = target;
+      if (!(await this.improves(setting, target))) fails = Math.max(1, target);
+      step = Math.max(step ** 2, largestStep);
     }
     while (fails < closeEnough * this.best.triangles && !this.isOver()) {
       const target = Math.floor(Math.sqrt(fails * this.best.triangles));
@@ -113,6 +116,27 @@ export class Search {
     }
     return false;
   }
+
+  /** Shifts weight to the variable at fault, from the best setting on, for as long as that helps. */
+  private async mend(): Promise<void> {
+    let { setting } = this.best;
+    for (let failures = 0; failures < mends && !this.isOver(); ) {
+      if (await this.improves(setting, Math.floor(this.best.triangles * hopes[0]))) {
+        failures = 0;
+        continue;
+      }
+      failures++;
+      setting = this.fault === 0 ? scaled(setting, 1 / moreWeight) : scaled(setting, moreWeight, this.fault - 1);
+    }
+  }
+}
+
+/** With the weight of one variable, or of all, times a factor. */
+function scaled({ weights, options }: Setting, factor: number, only?: number): Setting {
+  return {
+    weights: weights.map((weight, variable) => (only === undefined || only === variable ? weight * factor : weight)),
+    options,
+  };
 }
 
 function toggled({ weights, options }: Setting, option: string): Setting {

@@ -1,8 +1,8 @@
 #include "verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
 
 #include "judge/judge.hpp"
 
@@ -23,56 +23,63 @@ bool is_finite(const judge::JointSurface& surface) {
     return std::all_of(surface.rows.begin(), surface.rows.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// Whether the tree's surface has a point within the limit of a sample. `guess`: a triangle to look at first; then the
-/// one found.
-bool is_near(const judge::JointSurface& from, const judge::Sample& sample, const judge::JointTree& to,
-             std::vector<double>& point, std::uint32_t& guess) {
-    const auto& triangle = from.triangles[sample.triangle];
+void place(const judge::JointSurface& surface, std::uint32_t triangle, const std::array<double, 3>& barycentric,
+           std::vector<double>& point) {
     for (std::size_t k = 0; k < point.size(); ++k) {
         point[k] = 0;
-        for (int i = 0; i < 3; ++i) point[k] += sample.barycentric[i] * from.row(triangle[i])[k];
+        for (std::size_t i = 0; i < 3; ++i) point[k] += barycentric[i] * surface.row(surface.triangles[triangle][i])[k];
     }
-    const judge::Foot foot = to.nearest(point.data(), limit, guess);
-    guess = foot.triangle;
-    return foot.nearest.distance <= limit;
 }
 
 } // namespace
 
 Verdict::Verdict(const meshbound::Mesh& original_, const std::vector<double>& bounds)
     : space(judge::joint_space(original_, bounds)), original(judge::joint_surface(original_, space)),
-      tree(original, space), samples(samples_of(original)), point(static_cast<std::size_t>(space.dimensions())) {}
+      tree(original, space), metric(space.components), samples(samples_of(original)),
+      point(static_cast<std::size_t>(space.dimensions())), foot_point(point.size()) {}
 
-bool Verdict::within(const meshbound::Mesh& mesh) {
+std::optional<std::size_t> Verdict::beyond(const meshbound::Mesh& mesh) {
     const judge::JointSurface reduced = judge::joint_surface(mesh, space);
-    if (reduced.triangles.empty() || !is_finite(reduced)) return false;
+    if (reduced.triangles.empty() || !is_finite(reduced)) return 0;
     const judge::JointTree reduced_tree(reduced, space);
-    if (!hard_samples_within(reduced_tree) || !samples_within(reduced_tree)) return false;
-    std::uint32_t guess = 0;
-    const std::vector<judge::Sample> others = samples_of(reduced);
-    return std::all_of(others.begin(), others.end(),
-                       [&](const judge::Sample& s) { return is_near(reduced, s, tree, point, guess); });
+    guess = 0;
+    if (const Answer answer = hard_samples_beyond(reduced, reduced_tree)) return answer;
+    if (const Answer answer = samples_beyond(reduced, reduced_tree)) return answer;
+    guess = 0;
+    for (const judge::Sample& sample : samples_of(reduced))
+        if (const Answer answer = sample_beyond(reduced, sample, original, tree)) return answer;
+    return std::nullopt;
 }
 
-bool Verdict::hard_samples_within(const judge::JointTree& reduced) {
-    std::uint32_t guess = 0;
-    for (std::size_t i = 0; i < hard.size(); ++i)
-        if (!is_near(original, samples[hard[i]], reduced, point, guess)) {
-            std::rotate(hard.begin(), hard.begin() + static_cast<std::ptrdiff_t>(i),
-                        hard.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-            return false;
+Verdict::Answer Verdict::hard_samples_beyond(const judge::JointSurface& reduced, const judge::JointTree& reduced_tree) {
+    for (auto sample = hard.begin(); sample != hard.end(); ++sample)
+        if (const Answer answer = sample_beyond(original, samples[*sample], reduced, reduced_tree)) {
+            std::rotate(hard.begin(), sample, sample + 1);
+            return answer;
         }
-    return true;
+    return std::nullopt;
 }
 
-bool Verdict::samples_within(const judge::JointTree& reduced) {
-    std::uint32_t guess = 0;
+Verdict::Answer Verdict::samples_beyond(const judge::JointSurface& reduced, const judge::JointTree& reduced_tree) {
     for (std::size_t s = 0; s < samples.size(); ++s)
-        if (!is_near(original, samples[s], reduced, point, guess)) {
+        if (const Answer answer = sample_beyond(original, samples[s], reduced, reduced_tree)) {
             remember(s);
-            return false;
+            return answer;
         }
-    return true;
+    return std::nullopt;
+}
+
+Verdict::Answer Verdict::sample_beyond(const judge::JointSurface& from, const judge::Sample& sample,
+                                       const judge::JointSurface& to, const judge::JointTree& to_tree) {
+    place(from, sample.triangle, sample.barycentric, point);
+    const judge::Foot foot = to_tree.nearest(point.data(), limit, guess);
+    guess = foot.triangle;
+    if (foot.nearest.distance <= limit) return std::nullopt;
+    const auto [distance, u, v] = foot.nearest;
+    place(to, foot.triangle, {1 - u - v, u, v}, foot_point);
+    std::size_t farthest = 0;
+    metric.between(point.data(), foot_point.data(), &farthest);
+    return space.variables[farthest];
 }
 
 void Verdict::remember(std::size_t sample) {

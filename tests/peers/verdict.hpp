@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "judge/joint_distance.hpp"
 #include "judge/joint_surface.hpp"
 #include "judge/joint_tree.hpp"
 #include "judge/sampling.hpp"
@@ -21,20 +24,26 @@ public:
     /// `bounds`: absolute, of position first, then one a variable; as judge::judge takes them.
     Verdict(const meshbound::Mesh& original, const std::vector<double>& bounds);
 
-    /// Whether judge::judge would give a ratio of at most 1 + hair. False for a surface without triangles or not finite.
-    bool within(const meshbound::Mesh& reduced);
+    /// Nothing where judge::judge would give a ratio of at most 1 + hair; else the variable (0 is position, i + 1 the
+    /// mesh's variable i) that is farthest at the first sample beyond. 0 for a surface without triangles or not finite.
+    std::optional<std::size_t> beyond(const meshbound::Mesh& reduced);
 
 private:
-    bool hard_samples_within(const judge::JointTree& tree);
-    bool samples_within(const judge::JointTree& tree);
+    using Answer = std::optional<std::size_t>;
+    Answer hard_samples_beyond(const judge::JointSurface& reduced, const judge::JointTree& reduced_tree);
+    Answer samples_beyond(const judge::JointSurface& reduced, const judge::JointTree& reduced_tree);
+    Answer sample_beyond(const judge::JointSurface& from, const judge::Sample& sample, const judge::JointSurface& to,
+                         const judge::JointTree& to_tree);
     void remember(std::size_t sample);
 
     judge::JointSpace space;
     judge::JointSurface original;
     judge::JointTree tree;
+    judge::JointDistance metric;
     std::vector<judge::Sample> samples;
     std::vector<std::size_t> hard; ///< samples that failed lately, the latest first: looked at before all others
-    std::vector<double> point;
+    std::vector<double> point, foot_point;
+    std::uint32_t guess = 0; ///< the triangle found last: neighbouring samples mostly end on the same one
 };
 
 } // namespace peers

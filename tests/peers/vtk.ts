@@ -25,6 +25,8 @@ function peer(python: string, version: string): Peer {
     name: 'VTK',
     version,
     options: [volumePreservation],
+    starts: [[]],
+    pace: 40_000,
     async open({ path, mesh, bounds }) {
       await server.ask(JSON.stringify({ open: path }));
       const size = extent(mesh.position);
