@@ -35,6 +35,9 @@ double density_of(double pressure, double molar_mass, double temperature) {
     return pressure * molar_mass / (gas_constant * temperature);
 }
 
+/// No lump is higher or deeper than this, relative to the radius.
+constexpr double largest_lump = 0.1;
+
 /// The radius of a ball in a direction, relative to its mean: not quite round, so that the instabilities have something to
 /// grow from.
 double lumps(double nx, double ny, double nz) { return 1 + 0.3 * nx * ny * nz + 0.15 * (nx * nx - ny * ny) * nz * nz; }
@@ -45,7 +48,8 @@ Primitive initial(double x, double y, double z) {
         const double dy = (y - ball.centre[1]) / ball.radius[1];
         const double dz = (z - ball.centre[2]) / ball.radius[2];
         const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
-        if (distance < lumps(dx / distance, dy / distance, dz / distance)) {
+        if (distance > 1 + largest_lump) continue;
+        if (distance < 1 - largest_lump || distance < lumps(dx / distance, dy / distance, dz / distance)) {
             return {float(density_of(fireball_pressure, ball.molar_mass, ball.temperature)), ball.velocity,
                     float(fireball_pressure), ball.fraction};
         }
@@ -70,7 +74,8 @@ float energy(const Primitive& s) {
 
 } // namespace
 
-/// Two balls of noble gas, xenon and argon, collide off-axis in hot, thin helium at 3 km/s. Lengths in metres, times in milliseconds.
+/// Two balls of noble gas, xenon and argon, collide off-axis in hot, thin helium at 3 km/s. Lengths in metres, times in
+/// milliseconds.
 Scene fireballs() {
     return {"fireballs",
             "m",

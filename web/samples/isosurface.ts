@@ -54,31 +54,21 @@ function valuesOf(volume: Volume, name: string): Float32Array {
 
 /** The values, with those moved that are so near to the isovalue that the surface would come too near to their place. */
 function keepFromNodes(values: Float32Array, cells: readonly number[], isovalue: number): Float32Array {
-  const moved = values.slice();
-  for (let k = 0, node = 0; k < cells[2]; ++k) {
-    for (let j = 0; j < cells[1]; ++j) {
-      for (let i = 0; i < cells[0]; ++i, ++node) {
-        const above = values[node] >= isovalue;
-        let jump = 0;
-        const neighbour = (inside: boolean, other: number) => {
-          if (inside && values[other] >= isovalue !== above) {
-            jump = Math.max(jump, Math.abs(values[other] - isovalue));
-          }
-        };
-        neighbour(i > 0, node - 1);
-        neighbour(i + 1 < cells[0], node + 1);
-        neighbour(j > 0, node - cells[0]);
-        neighbour(j + 1 < cells[1], node + cells[0]);
-        neighbour(k > 0, node - cells[0] * cells[1]);
-        neighbour(k + 1 < cells[2], node + cells[0] * cells[1]);
-        const least = distanceFromEnds * jump;
-        if (Math.abs(values[node] - isovalue) < least) {
-          moved[node] = isovalue + (above ? least : -least);
-        }
+  const least = new Float32Array(values.length); // how far from the isovalue a value must be
+  for (const [axis, stride] of [1, cells[0], cells[0] * cells[1]].entries()) {
+    for (let low = 0; low + stride < values.length; ++low) {
+      const high = low + stride;
+      const isEdge = (Math.floor(low / stride) % cells[axis]) + 1 < cells[axis];
+      if (isEdge && values[low] >= isovalue !== values[high] >= isovalue) {
+        least[low] = Math.max(least[low], distanceFromEnds * Math.abs(values[high] - isovalue));
+        least[high] = Math.max(least[high], distanceFromEnds * Math.abs(values[low] - isovalue));
       }
     }
   }
-  return moved;
+  return values.map((value, node) => {
+    if (Math.abs(value - isovalue) >= least[node]) return value;
+    return value >= isovalue ? isovalue + least[node] : isovalue - least[node];
+  });
 }
 
 /** vtk.js's filter, with the grid's first value at the origin and its spacing 1. */
