@@ -22,6 +22,7 @@ const files: [name: string, bytes: Uint8Array][] = [
   ['big-endian PLY', await writeSurface('ply', mesh, { encoding: 'binary_big_endian' })],
   ['VTP', await writeSurface('vtp', mesh)],
   ['legacy VTK', await writeSurface('vtk', mesh)],
+  ['GLB', await writeSurface('glb', mesh)],
   ['OBJ', await writeSurface('obj', mesh)],
   ['textured OBJ', new TextEncoder().encode(texturedObj)],
   ['STL', await writeSurface('stl', mesh)],

@@ -19,8 +19,6 @@ describe('a file', () => {
   });
 
   it.each([
-    ['glTF\u0002\0\0\0', 'GLB'],
-    ['{"scenes":[],"asset":{"version":"2.0"}}', 'glTF'],
     ['OFF\n8 6 0', 'OFF'],
     ['PK\u0003\u0004', 'ZIP'],
     ['%PDF-1.4', 'PDF'],

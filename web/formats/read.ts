@@ -9,6 +9,7 @@ const readers: Record<Format, () => Promise<(bytes: Uint8Array) => Surface | Pro
   vtk: async () => (await import('./read-vtk.ts')).readVtk,
   obj: async () => (await import('./read-obj.ts')).readObj,
   stl: async () => (await import('./read-stl.ts')).readStl,
+  glb: async () => (await import('./read-gltf.ts')).readGltf,
 };
 
 export interface SurfaceFile extends Surface {

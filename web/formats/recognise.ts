@@ -19,9 +19,9 @@ const signatures: Signature[] = [
     called: 'VTK XML',
   },
   { begins: /^# vtk DataFile/i, format: 'vtk', called: 'legacy VTK' },
-  { begins: 'glTF', called: 'GLB' },
+  { begins: 'glTF', format: 'glb', called: 'GLB' },
   { begins: /^\s*solid\b[\s\S]*\b(facet|endsolid)\b/, format: 'stl', called: 'STL' },
-  { begins: /^\s*\{[\s\S]*"asset"/, called: 'glTF' },
+  { begins: /^\s*\{/, format: 'glb', called: 'glTF' },
   { begins: /^\s*(#[^\n]*\n\s*|(mtllib|o|g|s|usemtl)\b[^\n]*\n\s*)*v\s+[-+.\d]/, format: 'obj', called: 'OBJ' },
   { begins: /^\s*OFF\b|^\s*COFF\b/, called: 'OFF' },
   { begins: '\x1F\x8B', called: 'gzip' },
@@ -33,7 +33,7 @@ const signatures: Signature[] = [
   { begins: /^(\xEF\xBB\xBF)?\s*<\?xml|^\s*<[A-Za-z]/, called: 'XML' },
 ];
 
-const readable = 'PLY, VTP, legacy VTK, OBJ and STL';
+const readable = 'PLY, VTP, legacy VTK, glTF, OBJ and STL';
 
 /**
  * The format of a file by its content. Its name is asked only where the content has no mark: an OBJ file may begin with

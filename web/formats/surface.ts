@@ -1,7 +1,7 @@
 import type { Mesh } from '../../wasm/types.ts';
 
 /** The formats that are read and written, by the usual ending of their names. */
-export type Format = 'ply' | 'vtp' | 'vtk' | 'obj' | 'stl';
+export type Format = 'ply' | 'vtp' | 'vtk' | 'obj' | 'stl' | 'glb';
 
 /** What a file says of its variables beside their values. Keys are variable names; `position` is the geometry. */
 export interface Labels {

@@ -25,6 +25,10 @@ const writers: Record<Format, () => Promise<Writer>> = {
     const { writeStl } = await import('./write-stl.ts');
     return { write: writeStl, lost: (mesh) => mesh.variables, single: true };
   },
+  glb: async () => {
+    const { writeGlb } = await import('./write-glb.ts');
+    return { write: writeGlb, lost: () => [], single: true };
+  },
 };
 
 /**

@@ -1,0 +1,283 @@
+import { validateBytes } from 'gltf-validator';
+import { describe, expect, it } from 'vitest';
+import type { Mesh } from '../../wasm/types.ts';
+import { readSurface } from '../../web/formats/read.ts';
+import { lossesOf, writeSurface } from '../../web/formats/write.ts';
+import { expectFault } from './faults.ts';
+import { accessorsOf, type GltfArray, glbFile } from './gltf-file.ts';
+import { fingerprint, mixedVariables, smallMesh } from './sample-mesh.ts';
+
+const square: GltfArray = { components: 3, values: Float32Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0) };
+const corners: GltfArray = { components: 1, values: Uint16Array.of(0, 1, 2, 0, 2, 3) };
+
+/** A GLB file of one mesh; attributes and indices are accessors by their number. */
+function scene(arrays: GltfArray[], primitives: object[], more: object = {}): Uint8Array {
+  const { json, binary } = accessorsOf(arrays);
+  const nodes = { nodes: [{ mesh: 0 }], scenes: [{ nodes: [0] }] };
+  return glbFile({ ...json, meshes: [{ primitives }], ...nodes, ...more }, binary);
+}
+
+const read = (bytes: Uint8Array) => readSurface('scene.glb', bytes);
+const variablesOf = (mesh: Mesh) => mesh.variables.map(({ name, values }) => `${name} ${Array.from(values).join(' ')}`);
+
+describe('GLB by the project', () => {
+  const singles = mixedVariables().filter(({ values }) => values instanceof Float32Array);
+  const unit = { name: 'normal', components: 3, values: Float32Array.of(0, 0, 1, 0, 1, 0, 1, 0, 0, 0.6, 0.8, 0) };
+  const color = { name: 'color', components: 3, values: Float32Array.from({ length: 12 }, (_, i) => i / 11) };
+  const many = { name: 'stress', components: 6, values: Float32Array.from({ length: 24 }, (_, i) => i) };
+
+  it('gives single precision, names, units and component names back', async () => {
+    const mesh = smallMesh([...singles.filter(({ name }) => name !== 'color'), unit, color, many]);
+    const labels = {
+      units: { position: 'mm', stress: 'Pa', 'Mach number': '1' },
+      componentNames: { velocity: ['u', 'v', 'w'] },
+    };
+    const back = await read(await writeSurface('glb', mesh, labels));
+    expect(fingerprint(back.mesh)).toEqual(fingerprint(mesh));
+    expect({ ...back.units }).toEqual(labels.units);
+    expect({ ...back.componentNames }).toEqual(labels.componentNames);
+    expect(back.summary).toBe('');
+  });
+
+  it('passes the validator of the Khronos Group', async () => {
+    for (const variables of [[], singles, [unit, color, many]]) {
+      const { issues } = await validateBytes(await writeSurface('glb', smallMesh(variables)));
+      expect(issues.messages.filter(({ severity }) => severity < 2)).toEqual([]);
+    }
+  });
+
+  it('says that doubles are rounded', async () => {
+    expect(await lossesOf('glb', smallMesh(mixedVariables()))).toEqual([
+      expect.stringMatching(/rounded: “temperature”, “normal”, “stress”/),
+    ]);
+    const { mesh } = await read(
+      await writeSurface('glb', smallMesh([{ name: 'p', components: 1, values: Float64Array.of(0.1, 1, 2, 3) }])),
+    );
+    expect(mesh.variables[0].values[0]).toBe(Math.fround(0.1));
+  });
+});
+
+describe('glTF attributes', () => {
+  it('are read normalised, quantised, under their names', async () => {
+    const arrays: GltfArray[] = [
+      { components: 3, values: Int16Array.of(0, 0, 0, 0, 100, 0, 0, 0, 100, 100, 0, 0, 0, 100, 0, 0) },
+      {
+        components: 4,
+        values: Uint8Array.of(0, 51, 255, 255, 0, 0, 0, 0, 255, 255, 255, 255, 1, 2, 3, 4),
+        normalized: true,
+      },
+      { components: 1, values: Float32Array.of(1, 2, 3, 4) },
+      { components: 2, values: Uint16Array.of(0, 65535, 0, 0, 0, 0, 0, 0), normalized: true },
+      corners,
+    ];
+    const { json, binary } = accessorsOf(arrays);
+    Object.assign(json.bufferViews[0], { byteStride: 8 });
+    Object.assign(json.accessors[0], { count: 4 });
+    const attributes = { POSITION: 0, COLOR_0: 1, _TEMPERATURE: 2, TEXCOORD_0: 3, TANGENT: 1 };
+    const meshes = [{ primitives: [{ attributes, indices: 4 }] }];
+    const more = { extensionsUsed: ['KHR_mesh_quantization'], extensionsRequired: ['KHR_mesh_quantization'] };
+    const { mesh, notes } = await read(
+      glbFile({ ...json, meshes, nodes: [{ mesh: 0 }], scenes: [{ nodes: [0] }], ...more }, binary),
+    );
+    expect(mesh.position).toEqual(Float32Array.of(0, 0, 0, 100, 0, 0, 100, 100, 0, 0, 100, 0));
+    expect(variablesOf(mesh).slice(1)).toEqual(['TEMPERATURE 1 2 3 4', 'uv 0 1 0 0 0 0 0 0']);
+    expect(mesh.variables[0]).toMatchObject({ name: 'color', components: 4 });
+    expect(mesh.variables[0].values.subarray(0, 4)).toEqual(Float32Array.of(0, 0.2, 1, 1));
+    expect(notes).toEqual(['Not carried: the attributes “TANGENT”.']);
+  });
+
+  it('are read from sparse accessors', async () => {
+    const arrays = [
+      square,
+      corners,
+      { components: 1, values: Uint16Array.of(1, 3) },
+      { components: 1, values: Float32Array.of(5, 7) },
+    ];
+    const { json, binary } = accessorsOf(arrays);
+    const sparse = { count: 2, indices: { bufferView: 2, componentType: 5123 }, values: { bufferView: 3 } };
+    const accessors = [...json.accessors, { componentType: 5126, count: 4, type: 'SCALAR', sparse }];
+    const meshes = [{ primitives: [{ attributes: { POSITION: 0, _P: 4 }, indices: 1 }] }];
+    const { mesh } = await read(
+      glbFile({ ...json, accessors, meshes, nodes: [{ mesh: 0 }], scenes: [{ nodes: [0] }] }, binary),
+    );
+    expect(variablesOf(mesh)).toEqual(['P 0 5 0 7']);
+  });
+
+  it('that not all primitives have are left out by name', async () => {
+    const other = { ...square, values: square.values.map((v) => v + 5) as Float32Array };
+    const p = { components: 1, values: Float32Array.of(1, 2, 3, 4) };
+    const arrays = [square, other, p, corners];
+    const primitives = [
+      { attributes: { POSITION: 0, _P: 2, _Q: 2 }, indices: 3 },
+      { attributes: { POSITION: 1, _P: 2 }, indices: 3 },
+    ];
+    const { mesh, summary } = await read(scene(arrays, primitives));
+    expect(variablesOf(mesh)).toEqual(['P 1 2 3 4 1 2 3 4']);
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7]);
+    expect(summary).toContain('not every primitive has them: “Q”');
+  });
+});
+
+describe('a glTF scene', () => {
+  const placedBy = async (...nodes: object[]) =>
+    (await read(scene([square, corners], [{ attributes: { POSITION: 0 }, indices: 1 }], { nodes }))).mesh;
+
+  it('is put together where its nodes put it', async () => {
+    const mesh = await placedBy(
+      { mesh: 0, translation: [0, 0, 1], children: [1] },
+      { mesh: 0, scale: [2, 2, 2], translation: [10, 0, 0] },
+    );
+    expect(mesh.position).toEqual(
+      Float32Array.of(0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1, 10, 0, 1, 12, 0, 1, 12, 2, 1, 10, 2, 1),
+    );
+  });
+
+  it('keeps outside outside where a node reflects', async () => {
+    const mesh = await placedBy({ mesh: 0, scale: [-1, 1, 1] });
+    expect(Array.from(mesh.triangles)).toEqual([2, 1, 0, 3, 2, 0]);
+    const normals = { components: 3, values: Float32Array.of(1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0) };
+    const primitive = { attributes: { POSITION: 0, NORMAL: 2 }, indices: 1 };
+    const turned = await read(
+      scene([square, corners, normals], [primitive], { nodes: [{ mesh: 0, scale: [-1, 2, 1] }] }),
+    );
+    expect(Array.from(turned.mesh.variables[0].values.subarray(0, 3), (part) => part + 0)).toEqual([-1, 0, 0]);
+  });
+
+  it('is read in strips, fans and without indices; points and lines are named as lost', async () => {
+    const trianglesOf = async (mode: number, indices?: number) =>
+      Array.from(
+        (await read(scene([square, corners], [{ attributes: { POSITION: 0 }, mode, indices }]))).mesh.triangles,
+      );
+    expect(await trianglesOf(4)).toEqual([0, 1, 2]);
+    expect(await trianglesOf(5)).toEqual([0, 1, 2, 1, 3, 2]);
+    expect(await trianglesOf(6)).toEqual([0, 1, 2, 0, 2, 3]);
+    const lines = scene(
+      [square, corners],
+      [
+        { attributes: { POSITION: 0 }, indices: 1 },
+        { attributes: { POSITION: 0 }, mode: 1 },
+      ],
+    );
+    expect((await read(lines)).notes).toEqual(['Not carried: 1 primitive of points or lines.']);
+  });
+
+  it('of glTF text with buffers inside is read', async () => {
+    const { json, binary } = accessorsOf([square, corners]);
+    const uri = `data:application/octet-stream;base64,${btoa(String.fromCharCode(...binary))}`;
+    const meshes = [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }];
+    const text = JSON.stringify({
+      asset: { version: '2.0' },
+      buffers: [{ byteLength: binary.length, uri }],
+      ...json,
+      meshes,
+    });
+    const { mesh, format } = await readSurface('scene.gltf', new TextEncoder().encode(text));
+    expect(format).toBe('glb');
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 2, 3]);
+  });
+
+  it('welds what was repeated for drawing', async () => {
+    const torn = { components: 3, values: Float32Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1) };
+    const normals = { components: 3, values: Float32Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1, 0, 0, 1, 0) };
+    const { mesh, notes } = await read(scene([torn, normals], [{ attributes: { POSITION: 0, NORMAL: 1 } }]));
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 2, 3]);
+    expect(notes).toEqual([expect.stringContaining('creases'), '2 repeated points welded.']);
+  });
+
+  it('names materials, animations and extensions as lost', async () => {
+    const more = {
+      materials: [{}],
+      cameras: [{}],
+      images: [{ uri: 'http://example.org/a.png' }],
+      textures: [{ source: 0 }],
+      extensionsUsed: ['KHR_lights_punctual'],
+    };
+    const { notes } = await read(
+      scene([square, corners], [{ attributes: { POSITION: 0 }, indices: 1, material: 0, targets: [{}] }], more),
+    );
+    expect(notes).toEqual([
+      'Not carried: materials, textures, cameras, morph targets.',
+      'Extensions passed over: “KHR_lights_punctual”.',
+    ]);
+  });
+});
+
+describe('a hostile glTF file', () => {
+  const good = { attributes: { POSITION: 0 }, indices: 1 };
+  const withAccessor = (change: object) => {
+    const { json, binary } = accessorsOf([square, corners]);
+    const accessors = [{ ...json.accessors[0], ...change }, json.accessors[1]];
+    return glbFile({ ...json, accessors, meshes: [{ primitives: [good] }] }, binary);
+  };
+  const cycle = { nodes: [{ mesh: 0, children: [1] }, { children: [0] }], scenes: [{ nodes: [0] }] };
+  const large = { components: 3, values: new Float32Array(30_000) };
+  const repeated = scene([large, corners], [good], {
+    nodes: Array(1000).fill({ mesh: 0 }),
+    scenes: [{ nodes: [...Array(1000).keys()] }],
+  });
+  const huge = { accessors: Array(1000).fill({ componentType: 5126, count: 2 ** 31, type: 'VEC4' }) };
+
+  it.each([
+    [
+      'of version 1',
+      scene([square, corners], [good], { asset: { version: '1.0' } }),
+      'unsupported_feature',
+      'version 2',
+    ],
+    [
+      'compressed',
+      scene([square, corners], [good], { extensionsRequired: ['KHR_draco_mesh_compression'] }),
+      'unsupported_feature',
+      'draco',
+    ],
+    [
+      'that refers to others',
+      scene([square, corners], [good], { buffers: [{ byteLength: 4, uri: 'scene.bin' }] }),
+      'unsupported_feature',
+      '“scene.bin”',
+    ],
+    ['with nodes in a circle', scene([square, corners], [good], cycle), 'bad_header', 'Node'],
+    ['with a missing node', scene([square, corners], [good], { nodes: [{ children: [7] }] }), 'bad_header', 'Node 7'],
+    ['with accessors for all memory', scene([square, corners], [good], huge), 'too_large', 'accessors'],
+    ['with a mesh shown too often', repeated, 'too_large', 'nodes'],
+    [
+      'with 2^32 − 1 elements',
+      withAccessor({ count: 2 ** 32 - 1 }),
+      'truncated',
+      'accessor 0',
+      '4 294 967 295 elements',
+    ],
+    ['with a negative count', withAccessor({ count: -1 }), 'bad_header', 'accessor 0'],
+    ['with an offset beyond the buffer', withAccessor({ byteOffset: 4 }), 'truncated', 'accessor 0'],
+    ['with an unknown type', withAccessor({ componentType: 5130 }), 'bad_header', 'accessor 0'],
+    ['with flat points', withAccessor({ type: 'VEC2' }), 'no_points', 'POSITION'],
+    [
+      'with an index beyond the points',
+      scene([square, { ...corners, values: Uint16Array.of(0, 1, 4) }], [good]),
+      'bad_index',
+      'point 4',
+    ],
+    ['without triangles', scene([square, corners], []), 'no_triangles', 'no triangles'],
+    [
+      'of unequal attributes',
+      scene([square, corners], [{ attributes: { POSITION: 0, _P: 1 }, indices: 1 }]),
+      'count_mismatch',
+      '“_P”',
+      '6 elements',
+    ],
+    [
+      'with arrays where objects belong',
+      scene([square, corners], [good], { meshes: 'none', nodes: 7 }),
+      'bad_header',
+      'glTF 2.0',
+    ],
+  ] as const)('%s is refused', async (_, file, code, ...words) => {
+    await expectFault(file, code, ...words);
+  });
+
+  it('of broken JSON is refused', async () => {
+    await expectFault('{"asset":', 'truncated', 'JSON');
+    await expectFault('{"asset":}', 'bad_header', 'JSON');
+    await expectFault('{"asset":null}', 'unsupported_feature', 'version 2');
+  });
+});

@@ -1,0 +1,231 @@
+import { FormatError } from './format-error.ts';
+import { counted, grouped, listed, quoted } from './wording.ts';
+
+/** As much of glTF's JSON as is looked at before glTF-Transform reads it. */
+export interface GltfJson {
+  asset?: { version?: string };
+  extensionsUsed?: string[];
+  extensionsRequired?: string[];
+  buffers?: { byteLength?: number; uri?: string }[];
+  bufferViews?: { buffer?: number; byteOffset?: number; byteLength?: number; byteStride?: number }[];
+  accessors?: GltfAccessor[];
+  meshes?: { primitives?: GltfPrimitive[] }[];
+  nodes?: { mesh?: number; children?: number[]; skin?: number; camera?: number }[];
+  scenes?: { nodes?: number[] }[];
+  scene?: number;
+  [other: string]: unknown;
+}
+
+export interface GltfAccessor {
+  bufferView?: number;
+  byteOffset?: number;
+  componentType?: number;
+  count?: number;
+  type?: string;
+  sparse?: { count?: number; indices?: GltfAccessor; values?: GltfAccessor };
+}
+
+export interface GltfPrimitive {
+  attributes?: Record<string, number>;
+  indices?: number;
+  mode?: number;
+  material?: number;
+  targets?: unknown[];
+}
+
+export interface GltfFile {
+  json: GltfJson;
+  /** The binary chunk of a GLB file. */
+  binary: Uint8Array | undefined;
+}
+
+const headSize = 12;
+const chunkHeadSize = 8;
+const jsonChunk = 0x4e4f534a;
+const binaryChunk = 0x004e4942;
+
+/** Takes a GLB file apart, or reads a glTF file whose buffers are inside it. */
+export function openGltf(bytes: Uint8Array): GltfFile {
+  const isBinary = new TextDecoder('latin1').decode(bytes.subarray(0, 4)) === 'glTF';
+  return isBinary ? openGlb(bytes) : { json: parseJson(bytes), binary: undefined };
+}
+
+function openGlb(bytes: Uint8Array): GltfFile {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const declared = bytes.length < headSize ? headSize : view.getUint32(8, true);
+  if (bytes.length < declared) {
+    const message = `The header declares ${grouped(declared)} bytes, but the file has ${grouped(bytes.length)}.`;
+    throw new FormatError('truncated', message);
+  }
+  if (view.getUint32(4, true) !== 2) {
+    throw new FormatError('unsupported_feature', `This is GLB version ${view.getUint32(4, true)}; only 2 is read.`);
+  }
+  const chunks: [type: number, data: Uint8Array][] = [];
+  for (let at = headSize; at + chunkHeadSize <= declared; ) {
+    const [size, type] = [view.getUint32(at, true), view.getUint32(at + 4, true)];
+    const end = at + chunkHeadSize + size;
+    if (end > declared)
+      throw new FormatError('truncated', `A chunk ends ${grouped(end - declared)} bytes behind the file.`);
+    chunks.push([type, bytes.subarray(at + chunkHeadSize, end)]);
+    at = end;
+  }
+  if (chunks[0]?.[0] !== jsonChunk) throw new FormatError('bad_header', 'The first chunk of the GLB file is not JSON.');
+  return { json: parseJson(chunks[0][1]), binary: chunks.find(([type]) => type === binaryChunk)?.[1] };
+}
+
+function parseJson(bytes: Uint8Array): GltfJson {
+  let text: string;
+  try {
+    text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+  } catch {
+    throw new FormatError('bad_encoding', 'The JSON of the glTF file is not UTF-8.');
+  }
+  try {
+    return JSON.parse(text) as GltfJson;
+  } catch (error) {
+    const cut = !text.trimEnd().endsWith('}');
+    throw new FormatError(
+      cut ? 'truncated' : 'bad_header',
+      `The JSON of the glTF file is broken: ${(error as Error).message}.`,
+    );
+  }
+}
+
+/** Extensions that change how points are stored, or the JSON that names them. Those of materials and lights do not matter here. */
+const compressing = /draco|meshopt_compression|_compression/i;
+
+const componentSizes = new Map([
+  [5120, 1],
+  [5121, 1],
+  [5122, 2],
+  [5123, 2],
+  [5125, 4],
+  [5126, 4],
+]);
+const typeSizes = new Map([
+  ['SCALAR', 1],
+  ['VEC2', 2],
+  ['VEC3', 3],
+  ['VEC4', 4],
+  ['MAT2', 4],
+  ['MAT3', 9],
+  ['MAT4', 16],
+]);
+
+/** An honest file repeats a buffer a few times at most; overlapping accessors could ask for any amount of memory. */
+export const mostExpansion = 256;
+export const freeExpansion = 64 << 20;
+const deepest = 256;
+
+/** Checks what glTF-Transform takes on trust: that accessors lie inside the buffers and nodes form a forest. */
+export function checkGltf({ json, binary }: GltfFile, fileSize: number): void {
+  if (typeof json !== 'object' || json === null || !json.asset?.version?.startsWith('2.')) {
+    throw new FormatError('unsupported_feature', 'This is no glTF of version 2.');
+  }
+  const packed = (json.extensionsRequired ?? []).filter((name) => compressing.test(name));
+  if (packed.length > 0) {
+    throw new FormatError(
+      'unsupported_feature',
+      `The file is compressed by ${listed(packed)}, which is not read. Save it uncompressed.`,
+    );
+  }
+  const sizes = (json.buffers ?? []).map((buffer, index) => bufferSize(buffer, index, binary));
+  for (const [index, view] of (json.bufferViews ?? []).entries()) checkView(view, index, sizes);
+  let budget = freeExpansion + mostExpansion * fileSize;
+  for (const [index, accessor] of (json.accessors ?? []).entries()) {
+    budget -= checkAccessor(accessor, `accessor ${index}`, json);
+    if (budget < 0)
+      throw new FormatError('too_large', 'The accessors ask for far more memory than a file of this size holds.');
+  }
+  checkForest(json.nodes ?? []);
+}
+
+function bufferSize(
+  buffer: { byteLength?: number; uri?: string },
+  index: number,
+  binary: Uint8Array | undefined,
+): number {
+  const { uri, byteLength = 0 } = buffer;
+  if (uri !== undefined && !uri.startsWith('data:')) {
+    throw new FormatError(
+      'unsupported_feature',
+      `The file refers to ${quoted(uri)}. Save it as GLB, with everything in one file.`,
+    );
+  }
+  // Base64 after a comma; four letters are three bytes.
+  const size = uri === undefined ? (binary?.length ?? 0) : Math.floor(((uri.length - uri.indexOf(',') - 1) * 3) / 4);
+  if (byteLength <= size) return size;
+  const message = `Buffer ${index} should have ${grouped(byteLength)} bytes, but has ${grouped(size)}.`;
+  throw new FormatError('truncated', message, `buffer ${index}`);
+}
+
+function isCount(value: unknown): value is number {
+  return Number.isSafeInteger(value) && (value as number) >= 0;
+}
+
+function checkView(
+  view: { buffer?: number; byteOffset?: number; byteLength?: number; byteStride?: number },
+  index: number,
+  sizes: number[],
+): void {
+  const { buffer, byteOffset = 0, byteLength, byteStride = 4 } = view;
+  const size = sizes[buffer ?? -1] ?? -1;
+  if (
+    isCount(byteOffset) &&
+    isCount(byteLength) &&
+    isCount(byteStride) &&
+    byteStride > 0 &&
+    byteOffset + byteLength <= size
+  )
+    return;
+  const where = `buffer view ${index}`;
+  throw new FormatError('truncated', `The ${where} lies outside its buffer.`, where);
+}
+
+/** The memory that an accessor takes. */
+function checkAccessor(accessor: GltfAccessor, where: string, json: GltfJson): number {
+  const { count, componentType = 0, type = '', byteOffset = 0 } = accessor;
+  const [componentSize, components] = [componentSizes.get(componentType), typeSizes.get(type)];
+  if (componentSize === undefined || components === undefined || !isCount(count) || !isCount(byteOffset)) {
+    throw new FormatError('bad_header', `The ${where} has no valid type, count or offset.`, where);
+  }
+  const size = componentSize * components;
+  if (accessor.bufferView !== undefined && count > 0) {
+    const view = json.bufferViews?.[accessor.bufferView];
+    const needed = byteOffset + (count - 1) * (view?.byteStride ?? size) + size;
+    if (!view || needed > (view.byteLength ?? 0)) {
+      const message = `The ${where} has ${counted(count, 'element')}, which its buffer view cannot hold.`;
+      throw new FormatError('truncated', message, where);
+    }
+  }
+  return count * size + (accessor.sparse ? checkSparse(accessor, where, json) : 0);
+}
+
+function checkSparse(accessor: GltfAccessor, where: string, json: GltfJson): number {
+  const { count, indices, values } = accessor.sparse ?? {};
+  const parts = [
+    { ...indices, count, type: 'SCALAR' },
+    { ...values, count, type: accessor.type, componentType: accessor.componentType },
+  ];
+  return parts.reduce((sum, part) => sum + checkAccessor(part, `sparse part of ${where}`, json), 0);
+}
+
+function checkForest(nodes: { children?: number[] }[]): void {
+  const parents = new Map<number, number>();
+  for (const [parent, { children = [] }] of nodes.entries()) {
+    for (const child of children) {
+      if (parents.has(child) || !nodes[child]) throw badNodes(child);
+      parents.set(child, parent);
+    }
+  }
+  for (const start of nodes.keys()) {
+    let [node, depth]: [number | undefined, number] = [start, 0];
+    for (; node !== undefined && depth <= deepest; depth++) node = parents.get(node);
+    if (node !== undefined) throw badNodes(start);
+  }
+}
+
+function badNodes(node: number): FormatError {
+  const message = `Node ${node} is missing, has two parents, or is its own ancestor.`;
+  return new FormatError('bad_header', message, `node ${node}`);
+}

@@ -1,0 +1,78 @@
+import { type Accessor, Document, Logger, Primitive, WebIO } from '@gltf-transform/core';
+import type { Mesh, Variable } from '../../wasm/types.ts';
+import { type GltfExtras, semanticFor } from './gltf-variables.ts';
+import type { WriteOptions } from './surface.ts';
+
+const types = new Map<number, 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4'>([
+  [1, 'SCALAR'],
+  [2, 'VEC2'],
+  [3, 'VEC3'],
+  [4, 'VEC4'],
+]);
+
+/**
+ * Writes a GLB file in single precision. `normal`, `color` and `uv` take the places that glTF has for them if their values
+ * fit; all else becomes attributes `_NAME`, with name, unit and component names in the extras. A variable of more than four
+ * components becomes an attribute for each.
+ */
+export async function writeGlb(mesh: Mesh, options: WriteOptions = {}): Promise<Uint8Array> {
+  const document = new Document().setLogger(new Logger(Logger.Verbosity.SILENT));
+  const buffer = document.createBuffer();
+  const primitive = document.createPrimitive().setMode(Primitive.Mode.TRIANGLES);
+  const add = (semantic: string, values: Float32Array, components: number, extras?: GltfExtras) => {
+    const accessor = document
+      .createAccessor()
+      .setBuffer(buffer)
+      .setArray(values as Float32Array<ArrayBuffer>);
+    accessor.setType(types.get(components) ?? 'SCALAR');
+    if (extras) accessor.setExtras({ meshbound: extras });
+    primitive.setAttribute(semantic, accessor);
+  };
+  const unit = labelsOf('position', options);
+  add(
+    'POSITION',
+    Float32Array.from(mesh.position),
+    3,
+    Object.keys(unit).length > 0 ? { name: 'position', ...unit } : undefined,
+  );
+  const used = new Set(['POSITION']);
+  for (const variable of mesh.variables) addVariable(variable, used, options, add);
+  primitive.setIndices(document.createAccessor().setBuffer(buffer).setType('SCALAR').setArray(indicesOf(mesh)));
+  const node = document.createNode().setMesh(document.createMesh().addPrimitive(primitive));
+  document.getRoot().setDefaultScene(document.createScene().addChild(node));
+  document.getRoot().getAsset().generator = 'Meshbound';
+  return new WebIO().setLogger(document.getLogger()).writeBinary(document);
+}
+
+function labelsOf(name: string, { units = {}, componentNames = {} }: WriteOptions): Omit<GltfExtras, 'name'> {
+  return {
+    ...(Object.hasOwn(units, name) ? { unit: units[name] } : {}),
+    ...(Object.hasOwn(componentNames, name) ? { componentNames: componentNames[name] } : {}),
+  };
+}
+
+type Add = (semantic: string, values: Float32Array, components: number, extras: GltfExtras) => void;
+
+function addVariable(variable: Variable, used: Set<string>, options: WriteOptions, add: Add): void {
+  const { name, components } = variable;
+  const values = Float32Array.from(variable.values);
+  const extras = { name, ...labelsOf(name, options) };
+  const semantic = semanticFor({ ...variable, values });
+  if (types.has(components)) add(unique(semantic, used), values, components, extras);
+  for (let component = 0; !types.has(components) && component < components; component++) {
+    const part = values.filter((_, i) => i % components === component);
+    add(unique(`${semantic}_${component}`, used), part, 1, { ...extras, component });
+  }
+}
+
+function unique(semantic: string, used: Set<string>): string {
+  let free = semantic;
+  for (let copy = 2; used.has(free); copy++) free = `${semantic}__${copy}`;
+  used.add(free);
+  return free;
+}
+
+/** In 16 bits where that is enough; the largest index is reserved. */
+function indicesOf({ position, triangles }: Mesh): NonNullable<ReturnType<Accessor['getArray']>> {
+  return position.length / 3 < 2 ** 16 ? Uint16Array.from(triangles) : Uint32Array.from(triangles);
+}
