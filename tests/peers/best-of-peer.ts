@@ -15,44 +15,52 @@ export interface PeerResult {
   /** The judge's, of the boundary; nobody asks this of a peer. */
   boundaryRatio: number;
   setting: Setting;
+  /** The number of triangles asked for. */
+  target: number;
   runs: number;
   seconds: number;
 }
 
-/** How often a peer may run for one surface and pair of bounds, by the time that it takes. */
-const allowed = { least: 24, most: 150, seconds: 20 };
-/** To be raised when the search changes, so that results kept from before are not taken. */
-const searchVersion = 2;
+/** How often a peer may run for one surface and pair of bounds at effort 1, by the time that it takes. */
+const allowed = { least: 24, most: 120, seconds: 12 };
+/** To be raised when peers are run in another way, so that results kept from before are not taken. */
+const version = 3;
 /** The judge's accuracy, as a fraction of a bound. */
 const hair = 1e-6;
 
-/** Searched for once; kept for as long as peer, surface and bounds are the same. */
-export function bestOfPeer(peer: Peer, name: string, task: Task, judge: Judge): Promise<PeerResult> {
-  const key = {
-    version: peer.version,
-    search: searchVersion,
-    surface: contentHash(task.path),
-    bounds: task.bounds.join(),
-  };
-  return cached(`${name}-${peer.name}`, key, () => search(peer, task, judge));
+/** Searched for once; kept for as long as peer, surface and bounds are the same, until more effort is asked for. */
+export function bestOfPeer(peer: Peer, name: string, task: Task, judge: Judge, effort: number): Promise<PeerResult> {
+  const key = { version: `${version}, ${peer.version}`, surface: contentHash(task.path), bounds: task.bounds.join() };
+  return cached<PeerResult>(`${name}-${peer.name}`, key, effort, (before) => search(peer, task, judge, effort, before));
 }
 
-async function search(peer: Peer, task: Task, judge: Judge): Promise<PeerResult> {
+async function search(
+  peer: Peer,
+  task: Task,
+  judge: Judge,
+  effort: number,
+  before: PeerResult | undefined,
+): Promise<PeerResult> {
   const trial = join(places.cache, `trial-${process.pid}.ply`);
-  const triangles = task.mesh.triangles.length / 3;
-  const inTime = Math.round((allowed.seconds * peer.pace) / triangles);
-  const allowance = Math.min(allowed.most, Math.max(allowed.least, inTime));
   const started = performance.now();
   const simplify = await peer.open(task);
-  const original = { triangles, variables: task.mesh.variables.length };
+  const original = { triangles: task.mesh.triangles.length / 3, variables: task.mesh.variables.length };
+  const allowance = Math.round(effort * runsAllowed(peer, original.triangles));
   const run = new Search(simplify, (path) => judge.beyond(path), trial, original, allowance);
-  const found = await run.fewest(peer.options, peer.starts);
-  const again = await simplify(found.setting, found.target, trial);
+  const { setting, target, triangles, runs } = await run.fewest(peer.options, peer.starts, before);
+  const again = await simplify(setting, target, trial);
   const [ratio, boundaryRatio] = await judge.ratios(trial);
   rmSync(trial);
-  if (again !== found.triangles || !(ratio <= 1 + hair)) {
-    throw new Error(`${peer.name} gives ${again} triangles at a ratio of ${ratio} where it gave ${found.triangles}.`);
+  if (again !== triangles || !(ratio <= 1 + hair)) {
+    throw new Error(
+      `${peer.name} gives ${again} triangles at a ratio of ${ratio} where it gave ${triangles} within 1.`,
+    );
   }
-  const { setting, runs } = found;
-  return { triangles: again, ratio, boundaryRatio, setting, runs, seconds: (performance.now() - started) / 1000 };
+  const seconds = (performance.now() - started) / 1000;
+  return { triangles, ratio, boundaryRatio, setting, target, runs, seconds };
+}
+
+function runsAllowed(peer: Peer, triangles: number): number {
+  const inTime = Math.round((allowed.seconds * peer.pace) / triangles);
+  return Math.min(allowed.most, Math.max(allowed.least, inTime));
 }

@@ -11,15 +11,22 @@ export function contentHash(path: string): string {
   return createHash('sha256').update(readFileSync(path)).digest('hex').slice(0, 16);
 }
 
-/** The result kept under a name, if it was made with the same key; else it is made, and kept. */
-export async function cached<Result>(name: string, key: Key, make: () => Promise<Result>): Promise<Result> {
+/**
+ * The result kept under a name, if it was made with the same key and at least this effort; else it is made, on top of what
+ * a smaller effort gave, and kept.
+ */
+export async function cached<Result>(
+  name: string,
+  key: Key,
+  effort: number,
+  make: (before: Result | undefined) => Promise<Result>,
+): Promise<Result> {
   const path = join(places.cache, `${name}.json`);
-  if (existsSync(path)) {
-    const kept = JSON.parse(readFileSync(path, 'utf8'));
-    if (JSON.stringify(kept.key) === JSON.stringify(key)) return kept.result;
-  }
-  const result = await make();
+  const kept = existsSync(path) ? JSON.parse(readFileSync(path, 'utf8')) : undefined;
+  const isSame = JSON.stringify(kept?.key) === JSON.stringify(key);
+  if (isSame && kept.effort >= effort) return kept.result;
+  const result = await make(isSame ? kept.result : undefined);
   mkdirSync(places.cache, { recursive: true });
-  writeFileSync(path, `${JSON.stringify({ key, result }, null, 2)}\n`);
+  writeFileSync(path, `${JSON.stringify({ key, effort, result }, null, 2)}\n`);
   return result;
 }

@@ -1,10 +1,13 @@
 /**
  * Compares Meshbound with the tools that a user would pick instead: how many triangles each leaves at the same bounds.
  *
- *     npx tsx tests/peers/compare.ts [--quick] [--surfaces NAME,...] [--bounds GEOMETRY/VARIABLES,...] [--out FILE]
+ *     npx tsx tests/peers/compare.ts [--quick] [--surfaces NAME,...] [--bounds GEOMETRY/VARIABLES,...]
+ *                                    [--effort NUMBER] [--out FILE]
  *
- * Bounds are in percent of the extents, 0.1/1,1/3,3/3,6/6,9/9 where none are given; --quick takes three small surfaces and
- * two bounds. MESHBOUND_DATA names a folder of further surfaces (PLY). The tables go to standard output, and to the file.
+ * Bounds are in percent of the extents, 0.1/1,1/3,3/3,6/6,9/9 where none are given. --quick takes three small surfaces, two
+ * bounds and half the effort. Effort says how long to search for the best of a peer: 2 lets it run twice as often as 1, the
+ * usual; what was found is kept in build/peers-cache. MESHBOUND_DATA names a folder of further surfaces (PLY). The tables
+ * go to standard output, and to the file as they grow.
  */
 import { writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
@@ -20,6 +23,7 @@ import { vtk } from './vtk.ts';
 
 const usualBounds = '0.1/1,1/3,3/3,6/6,9/9';
 const quickBounds = '1/3,6/6';
+const quickEffort = 0.5;
 
 /** In percent. */
 interface Bounds {
@@ -55,7 +59,7 @@ async function findPeers(): Promise<Peer[]> {
   return peers.filter((peer) => peer !== undefined);
 }
 
-async function compare({ name, path }: SurfaceFile, bounds: Bounds[], peers: Peer[], judge: Judge): Promise<Row[]> {
+async function compare({ name, path }: SurfaceFile): Promise<Row[]> {
   const mesh = readScalars(path);
   const triangles = await judge.open(path);
   const rows: Row[] = [];
@@ -71,7 +75,7 @@ async function compare({ name, path }: SurfaceFile, bounds: Bounds[], peers: Pee
       peers: {},
     };
     for (const peer of peers) {
-      row.peers[peer.name] = await bestOfPeer(peer, `${name}-${boundsName.replace('/', '-')}`, task, judge);
+      row.peers[peer.name] = await bestOfPeer(peer, `${name}-${boundsName.replace('/', '-')}`, task, judge, effort);
     }
     console.error(
       `${name} at ${boundsName}: ${row.tracked.triangles} against ${bestPeer(row)}, ${share(row).toFixed(2)}`,
@@ -81,7 +85,7 @@ async function compare({ name, path }: SurfaceFile, bounds: Bounds[], peers: Pee
   return rows;
 }
 
-function head(peers: Peer[]): string {
+function head(): string {
   const tools = peers.map(({ name, version }) => `${name} ${version}`).join(', ');
   const date = new Date().toISOString().slice(0, 10);
   return `Measured on ${date} with ${tools}, Node ${process.versions.node}; ${cpus().length} × ${cpus()[0].model}.`;
@@ -92,19 +96,21 @@ const { values: options } = parseArgs({
     quick: { type: 'boolean', default: false },
     surfaces: { type: 'string' },
     bounds: { type: 'string' },
+    effort: { type: 'string' },
     out: { type: 'string' },
   },
 });
 const bounds = parseBounds(options.bounds ?? (options.quick ? quickBounds : usualBounds));
+const effort = Number(options.effort ?? (options.quick ? quickEffort : 1));
 buildNative();
 const surfaces = chooseSurfaces(options.surfaces, options.quick);
 const peers = await findPeers();
 const judge = new Judge();
 const rows: Row[] = [];
 for (const surface of surfaces) {
-  rows.push(...(await compare(surface, bounds, peers, judge)));
+  rows.push(...(await compare(surface)));
   // After every surface: a long comparison can be looked at, or ended, on its way.
-  if (options.out) writeFileSync(options.out, `${head(peers)}\n\n${tables(rows)}\n`);
+  if (options.out) writeFileSync(options.out, `${head()}\n\n${tables(rows)}\n`);
 }
-console.log(`${head(peers)}\n\n${tables(rows)}`);
+console.log(`${head()}\n\n${tables(rows)}`);
 for (const tool of [judge, ...peers]) tool.close();

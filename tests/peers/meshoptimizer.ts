@@ -21,8 +21,8 @@ const update = 'update';
 const byError = 'by error';
 const noErrorLimit = 1e30;
 /** Errors, as fractions of the largest side of the mesh, between which `byError` looks for the number of triangles. */
-const errors = { lowest: 1e-6, highest: 10 };
-const errorSteps = 14;
+const errors = { lowest: 1e-5, highest: 1 };
+const errorSteps = 10;
 
 /** The arrays as meshoptimizer takes them. */
 interface Input {

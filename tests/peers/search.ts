@@ -13,8 +13,8 @@ export interface Found {
 /** How all weights together are tried first, then how those of the best are changed, coarse to fine. */
 const firstFactors = [1, 8, 64, 0.125];
 const refinements = [2, 1.4, 1.2];
-/** A setting is worth more runs if it passes with this part of the triangles of the best so far. More fail more often, but not always. */
-const hopes = [0.97, 0.9];
+/** A setting is worth more runs if it passes with this part of the triangles of the best so far. */
+const hope = 0.97;
 /** Two numbers of triangles this close need no more bisection. */
 const closeEnough = 0.985;
 const largestStep = 0.5;
@@ -45,16 +45,19 @@ export class Search {
     this.best = { triangles, target: triangles, setting: this.uniform(1, []), runs: 0 };
   }
 
-  async fewest(options: string[], starts: string[][]): Promise<Found> {
+  /** `options` are switched on and off; `starts` are the sets of them to begin with, or a search `before` to go on from. */
+  async fewest(options: string[], starts: string[][], before?: { setting: Setting; target: number }): Promise<Found> {
+    if (before) await this.improves(before.setting, before.target);
     for (const factor of firstFactors) {
       for (const start of starts) await this.descend(this.uniform(factor, start));
     }
     await this.mend();
+    for (const option of options) await this.descend(toggled(this.best.setting, option));
     for (const refinement of refinements) {
       let before: number;
       do {
         before = this.best.triangles;
-        for (const move of this.moves(options, refinement)) await this.descend(move(this.best.setting));
+        for (const move of this.moves(refinement)) await this.descend(move(this.best.setting));
         await this.mend();
       } while (this.best.triangles < before && !this.isOver());
     }
@@ -65,12 +68,11 @@ export class Search {
     return { weights: Array(this.original.variables).fill(factor), options };
   }
 
-  private moves(options: string[], step: number): ((from: Setting) => Setting)[] {
+  private moves(step: number): ((from: Setting) => Setting)[] {
     const steps = [step, 1 / step];
     const variables = this.original.variables > 1 ? [...Array(this.original.variables).keys()] : [];
     return [
       ...steps.map((factor) => (from: Setting) => scaled(from, factor)),
-      ...options.map((option) => (from: Setting) => toggled(from, option)),
       ...variables.flatMap((variable) => steps.map((factor) => (from: Setting) => scaled(from, factor, variable))),
     ];
   }
@@ -94,8 +96,8 @@ export class Search {
   /** As few triangles as this setting gives, if that is fewer than the best so far. */
   private async descend(setting: Setting): Promise<void> {
     const isFirst = this.best.triangles === this.original.triangles;
-    if (!isFirst && !(await this.isHopeful(setting))) return;
-    let step = isFirst ? largestStep : hopes[0];
+    if (!isFirst && !(await this.improves(setting, Math.floor(this.best.triangles * hope)))) return;
+    let step = isFirst ? largestStep : hope;
     let fails = 0;
     while (fails === 0 && !this.isOver()) {
       const target = Math.floor(this.best.triangles * step);
@@ -109,19 +111,11 @@ export class Search {
     }
   }
 
-  private async isHopeful(setting: Setting): Promise<boolean> {
-    const start = this.best.triangles;
-    for (const hope of hopes) {
-      if (await this.improves(setting, Math.floor(start * hope))) return true;
-    }
-    return false;
-  }
-
   /** Shifts weight to the variable at fault, from the best setting on, for as long as that helps. */
   private async mend(): Promise<void> {
     let { setting } = this.best;
     for (let failures = 0; failures < mends && !this.isOver(); ) {
-      if (await this.improves(setting, Math.floor(this.best.triangles * hopes[0]))) {
+      if (await this.improves(setting, Math.floor(this.best.triangles * hope))) {
         failures = 0;
         continue;
       }

@@ -1,4 +1,4 @@
-import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 
 import type { Mesh } from '../../wasm/types.ts';
@@ -18,7 +18,7 @@ export const quickSurfaces = ['post_speed', 'notch_stress', 'rectgrid2'];
 export const quickSurfacesWithoutData = ['noisy-sphere', 'twisted-band', 'plate'];
 
 /**
- * All surfaces that there are, sorted by name: those of the environment variable MESHBOUND_DATA (a folder of PLY files),
+ * All surfaces that there are, small files first: those of the environment variable MESHBOUND_DATA (a folder of PLY files),
  * the samples that the build makes, the bunny, and the generated ones.
  */
 export function findSurfaces(): SurfaceFile[] {
@@ -26,7 +26,7 @@ export function findSurfaces(): SurfaceFile[] {
   makeSurfaces();
   writeFileSync(join(places.surfaces, 'bunny.ply'), writePly(bunnyMesh()));
   const folders = [process.env.MESHBOUND_DATA, places.samples, places.surfaces];
-  return folders.flatMap((folder) => plyFiles(folder)).sort((a, b) => a.name.localeCompare(b.name, 'en'));
+  return folders.flatMap((folder) => plyFiles(folder)).sort((a, b) => statSync(a.path).size - statSync(b.path).size);
 }
 
 function plyFiles(folder: string | undefined): SurfaceFile[] {
