@@ -1,6 +1,7 @@
 import { validateBytes } from 'gltf-validator';
 import { describe, expect, it } from 'vitest';
 import type { Mesh } from '../../wasm/types.ts';
+import type { FormatFault } from '../../web/formats/format-error.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import { lossesOf, writeSurface } from '../../web/formats/write.ts';
 import { expectFault } from './faults.ts';
@@ -217,7 +218,7 @@ describe('a hostile glTF file', () => {
   });
   const huge = { accessors: Array(1000).fill({ componentType: 5126, count: 2 ** 31, type: 'VEC4' }) };
 
-  it.each([
+  it.each<[string, Uint8Array, FormatFault, ...string[]]>([
     [
       'of version 1',
       scene([square, corners], [good], { asset: { version: '1.0' } }),
@@ -271,7 +272,7 @@ describe('a hostile glTF file', () => {
       'bad_header',
       'glTF 2.0',
     ],
-  ] as const)('%s is refused', async (_, file, code, ...words) => {
+  ])('%s is refused', async (_, file, code, ...words) => {
     await expectFault(file, code, ...words);
   });
 

@@ -1,3 +1,4 @@
+import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
 
@@ -112,9 +113,6 @@ const typeSizes = new Map([
   ['MAT4', 16],
 ]);
 
-/** An honest file repeats a buffer a few times at most; overlapping accessors could ask for any amount of memory. */
-export const mostExpansion = 256;
-export const freeExpansion = 64 << 20;
 const deepest = 256;
 
 /** Checks what glTF-Transform takes on trust: that accessors lie inside the buffers and nodes form a forest. */
@@ -131,7 +129,8 @@ export function checkGltf({ json, binary }: GltfFile, fileSize: number): void {
   }
   const sizes = (json.buffers ?? []).map((buffer, index) => bufferSize(buffer, index, binary));
   for (const [index, view] of (json.bufferViews ?? []).entries()) checkView(view, index, sizes);
-  let budget = freeExpansion + mostExpansion * fileSize;
+  // Overlapping accessors could ask for any amount of memory.
+  let budget = expansionLimit(fileSize);
   for (const [index, accessor] of (json.accessors ?? []).entries()) {
     budget -= checkAccessor(accessor, `accessor ${index}`, json);
     if (budget < 0)

@@ -8,8 +8,9 @@ import {
   WebIO,
 } from '@gltf-transform/core';
 import type { Mesh } from '../../wasm/types.ts';
+import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
-import { checkGltf, freeExpansion, type GltfFile, type GltfJson, mostExpansion, openGltf } from './gltf-container.ts';
+import { checkGltf, type GltfFile, type GltfJson, openGltf } from './gltf-container.ts';
 import { extrasOf, type GltfAttribute, joinAttributes, namedAttributes } from './gltf-variables.ts';
 import { checkCorners } from './polygons.ts';
 import type { Surface } from './surface.ts';
@@ -126,7 +127,7 @@ function checkExpansion(placed: Placed[], fileSize: number): void {
   const sizes = placed.map(({ primitive }) =>
     [...primitive.listAttributes(), primitive.getIndices()].reduce((sum, accessor) => sum + bytesOf(accessor), 0),
   );
-  if (sizes.reduce((sum, size) => sum + size, 0) <= freeExpansion + mostExpansion * fileSize) return;
+  if (sizes.reduce((sum, size) => sum + size, 0) <= expansionLimit(fileSize)) return;
   throw new FormatError('too_large', 'The nodes repeat their meshes far more often than a file of this size should.');
 }
 

@@ -1,3 +1,4 @@
+import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
 import type { Polygons } from './polygons.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
@@ -12,10 +13,6 @@ import { childrenOf, parseXml, type XmlNode } from './xml-tree.ts';
 // Written by hand on top of an XML parser and an inflater, although vtk.js has an XMLPolyDataReader. On files that VTK writes by
 // default that one fails (doubles inline behind 32-bit headers) or loses data (64-bit integers beyond 32 bits); it knows
 // no big-endian files; and it fills short arrays with zeros, allocates and inflates whatever a header declares.
-
-/** An honest file rarely shrinks further; a bomb goes to a thousandth of its size. Small files may be as constant as they like. */
-const mostExpansion = 256;
-const freeExpansion = 64 << 20;
 
 /**
  * Reads a VTP file (VTK XML PolyData): ASCII, inline base64, appended raw or base64, plain or zlib, either byte order.
@@ -101,7 +98,7 @@ function packingOf(root: XmlNode, appended: VtkPacking['appended'], fileSize: nu
     headerSize: headerType === 'UInt64' ? 8 : 4,
     compressed: compressor !== '',
     appended,
-    budget: { bytes: freeExpansion + mostExpansion * fileSize },
+    budget: { bytes: expansionLimit(fileSize) },
   };
 }
 

@@ -1,4 +1,5 @@
 import { FormatError } from './format-error.ts';
+import { gunzip, isGzip } from './gunzip.ts';
 import { recognise } from './recognise.ts';
 import type { Format, Surface } from './surface.ts';
 
@@ -19,11 +20,17 @@ export interface SurfaceFile extends Surface {
 }
 
 /**
- * Reads a surface with its variables from a file in memory, in the browser, a worker or Node. The content decides about the
- * format; `name` serves to say so where its ending claims another, and where the content has no mark. Throws a FormatError for whatever is wrong with the
- * file. Values that are NaN or infinite, repeated corners and unused points are passed on: they are the core's to judge.
+ * Reads a surface with its variables from a file in memory, packed by gzip or not, in the browser, a worker or Node. The
+ * content decides about the format; `name` serves to say so where its ending claims another, and where the content has no
+ * mark. Throws a FormatError for whatever is wrong with the file. Values that are NaN or infinite, repeated corners and
+ * unused points are passed on: they are the core's to judge.
  */
 export async function readSurface(name: string, bytes: Uint8Array): Promise<SurfaceFile> {
+  if (isGzip(bytes)) return readUnpacked(name.replace(/\.gz$/i, ''), await withinMemory(() => gunzip(bytes)));
+  return readUnpacked(name, bytes);
+}
+
+async function readUnpacked(name: string, bytes: Uint8Array): Promise<SurfaceFile> {
   const format = recognise(bytes, name);
   const read = await readers[format]();
   const surface = await withinMemory(() => read(bytes));
@@ -31,7 +38,7 @@ export async function readSurface(name: string, bytes: Uint8Array): Promise<Surf
   return { ...surface, format, notes, summary: notes.join(' ') };
 }
 
-async function withinMemory(read: () => Surface | Promise<Surface>): Promise<Surface> {
+async function withinMemory<Result>(read: () => Result | Promise<Result>): Promise<Result> {
   try {
     return await read();
   } catch (error) {
@@ -43,6 +50,6 @@ async function withinMemory(read: () => Surface | Promise<Surface>): Promise<Sur
 
 function endingNote(name: string, format: Format): string[] {
   const ending = /\.(\w+)$/.exec(name)?.[1]?.toLowerCase();
-  if (!ending || ending === format) return [];
+  if (!ending || ending === format || (ending === 'gltf' && format === 'glb')) return [];
   return [`The name ends in .${ending}, but the content is ${format.toUpperCase()}; it was read as such.`];
 }
