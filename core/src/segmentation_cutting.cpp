@@ -98,21 +98,13 @@ std::vector<CellCutter::Step> CellCutter::kept_steps_left() const {
     return kept;
 }
 
-/// What is left is the last cell, but for what a reduced edge between two kept corners separates from it.
+/// What is left is the last cell, but for sides that a reduced edge between two kept corners separates from it.
 void CellCutter::close() {
     const std::vector<Step> kept = kept_steps_left();
-    const auto face = [&] {
-        const auto vertex = [&](std::size_t i) { return (*outline_)[kept[i]].kept; };
-        return faces_->of(vertex(0), vertex(1), vertex(2));
-    };
-    std::uint32_t last = triangle_of_run(left_, left_);
-    bool separated = false;
+    const auto vertex = [&](std::size_t i) { return (*outline_)[kept[i]].kept; };
+    const std::uint32_t last =
+        kept.size() == 3 ? faces_->of(vertex(0), vertex(1), vertex(2)) : triangle_of_run(left_, left_);
     for (std::size_t i = 0; i < kept.size(); ++i) {
-        const std::uint32_t side = triangle_of_run(kept[i], kept[(i + 1) % kept.size()]);
-        separated = separated || (side != nowhere && side != last);
-    }
-    if (kept.size() == 3 && (separated || last == nowhere)) last = face();
-    for (std::size_t i = 0; separated && i < kept.size(); ++i) {
         const Step end = kept[(i + 1) % kept.size()];
         const std::uint32_t side = triangle_of_run(kept[i], end);
         if (side != nowhere && side != last) cut_off(kept[i], end);
