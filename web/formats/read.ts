@@ -1,7 +1,8 @@
 import { FormatError } from './format-error.ts';
 import { gunzip, isGzip } from './gunzip.ts';
 import { recognise } from './recognise.ts';
-import type { Format, Surface } from './surface.ts';
+import { type Format, noLabels, type Surface } from './surface.ts';
+import { quoted } from './wording.ts';
 
 /** One reader a format, each loaded when the first file of its format comes. */
 const readers: Record<Format, () => Promise<(bytes: Uint8Array) => Surface | Promise<Surface>>> = {
@@ -28,6 +29,26 @@ export interface SurfaceFile extends Surface {
 export async function readSurface(name: string, bytes: Uint8Array): Promise<SurfaceFile> {
   if (isGzip(bytes)) return readUnpacked(name.replace(/\.gz$/i, ''), await withinMemory(() => gunzip(bytes)));
   return readUnpacked(name, bytes);
+}
+
+/** The surface with the variables of a CSV file beside it, a line for each point; see readCsv. */
+export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promise<SurfaceFile> {
+  const { readCsv } = await import('./read-csv.ts');
+  const { mesh } = surface;
+  const added = await withinMemory(() => readCsv(csv, mesh.position.length / 3));
+  const known = new Set(mesh.variables.map(({ name }) => name));
+  const twice = added.variables.find(({ name }) => known.has(name));
+  if (twice) {
+    throw new FormatError(
+      'duplicate_name',
+      `The surface already has a variable named ${quoted(twice.name)}.`,
+      quoted(twice.name),
+    );
+  }
+  const notes = [...surface.notes, ...added.notes];
+  const units = Object.assign(noLabels().units, surface.units, added.units);
+  const variables = [...mesh.variables, ...added.variables];
+  return { ...surface, mesh: { ...mesh, variables }, units, notes, summary: notes.join(' ') };
 }
 
 async function readUnpacked(name: string, bytes: Uint8Array): Promise<SurfaceFile> {
