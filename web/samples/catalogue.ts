@@ -54,7 +54,7 @@ export const samples: Sample[] = [
     ...impact,
     name: 'impact',
     title: 'Impact',
-    description: 'An iron ball has struck through an aluminium plate at 16 km/s and drives the debris before it.',
+    description: 'An iron ball has struck through an aluminium plate at 16 km/s.',
     cells: [54, 24, 24],
     variables: [...impact.variables],
   },
@@ -71,8 +71,7 @@ export const samples: Sample[] = [
     ...impact,
     name: 'impact-fine',
     title: 'Impact, fine',
-    description:
-      'An iron ball has struck through an aluminium plate at 16 km/s and drives the debris before it; simulated 3.8 times finer.',
+    description: 'An iron ball has struck through an aluminium plate at 16 km/s; simulated 3.8 times finer.',
     cells: [205, 91, 91],
     variables: [...impact.variables],
   },

@@ -60,7 +60,7 @@ Rows rows_along(int axis, const std::array<int, 3>& cells) {
     return {cells[axis], cells[row_axis], cells[layer_axis], stride[axis], stride[row_axis], stride[layer_axis]};
 }
 
-/// Calls copy(number in the box, number in the row) for every cell of some rows side by side, in the order of the memory.
+/// Calls copy(number in the box, number in the row) for every cell of some rows side by side, in memory order.
 template <typename Copy>
 void for_each_cell(const Rows& rows, int width, float* box, const std::array<float*, bundle>& lanes, const Copy& copy) {
     if (rows.next_cell == 1) {

@@ -12,9 +12,9 @@
 ///     dE/dt       + div((E + p) u)     = 0        energy, E = p / (gamma - 1) + rho |u|^2 / 2
 ///     d(rho Y)/dt + div(rho Y u)       = 0        partial mass of each traced material
 ///
-/// Solved by the second-order MUSCL-Hancock finite-volume scheme with the monotonized central limiter and the HLLC flux,
-/// one axis at a time in Strang's order (Toro, "Riemann Solvers and Numerical Methods for Fluid Dynamics", chapters 10,
-/// 14, 16). Single precision. The result does not depend on the number of threads.
+/// Solved by the second-order MUSCL-Hancock finite-volume scheme with the monotonized central limiter and the HLLC
+/// flux, one axis at a time in Strang's order (Toro, "Riemann Solvers and Numerical Methods for Fluid Dynamics",
+/// chapters 10, 14, 16). Single precision. The result does not depend on the number of threads.
 namespace euler {
 
 inline constexpr int tracers = 2;
@@ -51,7 +51,7 @@ struct Totals {
 
 class Flow {
 public:
-    /// `state` gives the state at a point. A cell starts with the mean, over 4 x 4 x 4 points in it, of the conserved quantities.
+    /// The state at a point. A cell starts with the mean of the conserved quantities at 4 x 4 x 4 points in it.
     using InitialState = std::function<Primitive(double x, double y, double z)>;
 
     Flow(const Grid& grid, double gamma, Boundary boundary, const InitialState& state, int threads);

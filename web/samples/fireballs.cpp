@@ -38,8 +38,8 @@ double density_of(double pressure, double molar_mass, double temperature) {
 /// No lump is higher or deeper than this, relative to the radius.
 constexpr double largest_lump = 0.1;
 
-/// The radius of a ball in a direction, relative to its mean: not quite round, so that the instabilities have something to
-/// grow from.
+/// The radius of a ball in a direction, relative to its mean: not quite round, so that the instabilities have something
+/// to grow from.
 double lumps(double nx, double ny, double nz) { return 1 + 0.3 * nx * ny * nz + 0.15 * (nx * nx - ny * ny) * nz * nz; }
 
 Primitive initial(double x, double y, double z) {

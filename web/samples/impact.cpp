@@ -14,7 +14,7 @@ constexpr float density_aluminium = 2.7F; ///< g / cm^3
 constexpr float density_iron = 7.8F;
 constexpr float density_around = 0.05F;
 
-/// GPa. Gives aluminium 300 K. The thin hot gas around, at the same pressure, keeps the metals together until the impact.
+/// GPa. Gives aluminium 300 K. The thin hot gas around, at the same pressure, holds the metals together at first.
 constexpr float rest_pressure = 0.5F;
 
 constexpr std::array<double, 3> ball_centre = {-5, -1.6, -0.8}; ///< mm

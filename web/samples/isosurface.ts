@@ -6,8 +6,8 @@ import type { Mesh } from '../../wasm/types.ts';
 import type { Volume } from './simulate.ts';
 
 /**
- * The surface keeps this fraction of a grid edge away from the edge's ends: nearer to them it would have slivers, and on
- * the very end points would coincide.
+ * The surface keeps this fraction of a grid edge away from the edge's ends: nearer to them it would have slivers, and
+ * on the very end points would coincide.
  */
 const distanceFromEnds = 0.01;
 
@@ -22,8 +22,8 @@ interface GridPoint {
 }
 
 /**
- * The surface on which the variable `of` equals `isovalue`, oriented towards lower values, each point once. It carries the
- * variables named in `carried`, linear along the edges of the grid.
+ * The surface on which the variable `of` equals `isovalue`, oriented towards lower values, each point once. It carries
+ * the variables named in `carried`, linear along the edges of the grid.
  */
 export function isosurface(volume: Volume, of: string, isovalue: number, carried: string[]): Mesh {
   const level = keepFromNodes(valuesOf(volume, of), volume.cells, isovalue);
@@ -52,7 +52,7 @@ function valuesOf(volume: Volume, name: string): Float32Array {
   return variable.values;
 }
 
-/** The values, with those moved that are so near to the isovalue that the surface would come too near to their place. */
+/** The values, with those moved that are so near to the isovalue that the surface would come too near their place. */
 function keepFromNodes(values: Float32Array, cells: readonly number[], isovalue: number): Float32Array {
   const least = new Float32Array(values.length); // how far from the isovalue a value must be
   for (const [axis, stride] of [1, cells[0], cells[0] * cells[1]].entries()) {
@@ -100,7 +100,7 @@ function quietly<Result>(work: () => Result): Result {
   }
 }
 
-/** The edges of the grid that the points lie on, and where exactly: the filter gives single precision, which is not enough. */
+/** The edges of the grid that the points lie on, and where exactly: the filter has rounded to single precision. */
 function locate(points: Float32Array, values: Float32Array, cells: readonly number[], isovalue: number): GridPoint[] {
   const strides = [1, cells[0], cells[0] * cells[1]];
   return Array.from({ length: points.length / 3 }, (_, i) => {

@@ -2,8 +2,8 @@
 ///
 ///     samples-simulator SCENE NX NY NZ FILE [--end TIME] [--walls|--periodic] [--threads N]
 ///
-/// FILE gets the scene's variables one after the other, each with NX x NY x NZ numbers in single precision, little-endian,
-/// x fastest, at the centres of the cells. Standard output gets one line of JSON that describes them.
+/// FILE gets the scene's variables one after the other, each with NX x NY x NZ numbers in single precision,
+/// little-endian, x fastest, at the centres of the cells. Standard output gets one line of JSON that describes them.
 
 #include <algorithm>
 #include <cstdio>

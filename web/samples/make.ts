@@ -21,7 +21,7 @@ export function makeSample(sample: Sample): { entry: ListedSample; ply: Buffer; 
   const shape = topology(mesh.triangles, vertices);
   if (shape.badEdges > 0 || shape.badVertices > 0) {
     throw new Error(
-      `${sample.name} is not an oriented manifold: ${shape.badEdges} edges and ${shape.badVertices} vertices are at fault.`,
+      `${sample.name} is no oriented manifold: ${shape.badEdges} edges, ${shape.badVertices} vertices are at fault.`,
     );
   }
   const units = unitsOf(volume, sample);

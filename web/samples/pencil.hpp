@@ -10,11 +10,11 @@ namespace euler {
 /// Cells beyond each end of a row that a second-order step needs.
 inline constexpr int ghosts = 2;
 
-/// Pressure / (gamma - 1) below this fraction of the kinetic energy is lost in single precision's rounding; it is lifted to it.
+/// Pressure / (gamma - 1) below this fraction of the kinetic energy is lost in rounding; it is lifted to it.
 inline constexpr float smallest_pressure_to_kinetic = 1e-5F;
 
-/// One row of cells along one axis, with room for everything that a one-dimensional step computes on the way. Component 1 is
-/// the velocity (or momentum) along the row, 2 and 3 the others.
+/// One row of cells along one axis, with room for everything that a one-dimensional step computes on the way. Variable
+/// 1 is the velocity (or momentum) along the row, 2 and 3 the others.
 class Pencil {
 public:
     explicit Pencil(int cells);

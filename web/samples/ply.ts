@@ -1,6 +1,6 @@
 import type { Mesh } from '../../wasm/types.ts';
 
-/** A binary little-endian PLY file in single precision: x, y, z, then the variables, one component each, by their names. */
+/** A binary little-endian PLY file in single precision: x, y, z, then the variables, one component each, by name. */
 export function plyOf(mesh: Mesh, comments: string[]): Buffer {
   const columns = mesh.variables.map((variable) => variable.values);
   const vertices = mesh.position.length / 3;

@@ -2,7 +2,7 @@
 
 #include "scene.hpp"
 
-/// Sod's shock tube along the one axis that has more than one cell. Its exact solution is known: the check of the solver.
+/// Sod's shock tube along the axis that has more than one cell. Its exact solution is known: the check of the solver.
 Scene shock_tube() {
     const auto initial = [](double x, double y, double z) {
         const bool driver = std::max({x, y, z}) < 0.5;

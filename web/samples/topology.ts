@@ -42,7 +42,7 @@ function orientedEdges(triangles: Uint32Array, vertices: number): Map<number, nu
   return edges;
 }
 
-/** Counts the vertices at which the triangles fall apart into several fans when one goes from triangle to triangle over edges. */
+/** Counts the vertices whose triangles fall apart into several fans when one goes from each to the next over edges. */
 function splitVertices(triangles: Uint32Array, vertices: number): number {
   const fans = new Partition(triangles.length); // of corners
   const seen = new Map<number, number>();
