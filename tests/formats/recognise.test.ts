@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { formatByEnding } from '../../web/formats/format-names.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import { writeSurface } from '../../web/formats/write.ts';
 import { expectFault } from './faults.ts';
@@ -12,6 +13,18 @@ describe('a file', () => {
     expect((await readSurface('mesh.vtp', ply)).summary).toContain('the content is PLY');
     const vtp = await writeSurface('vtp', smallMesh());
     expect((await readSurface('mesh.ply', vtp)).summary).toContain('the content is VTP');
+  });
+
+  it('is named after its format by the ending that is known', () => {
+    expect(['a.ply', 'a.vtp.gz', 'b.c.VTK', 'glb', 'a.txt', 'a.constructor', ''].map(formatByEnding)).toEqual([
+      'ply',
+      'vtp',
+      'vtk',
+      undefined,
+      undefined,
+      undefined,
+      undefined,
+    ]);
   });
 
   it('that is empty is refused', async () => {

@@ -1,7 +1,9 @@
 import { FormatError } from './format-error.ts';
-import { gunzip, isGzip } from './gunzip.ts';
+import { formatNames } from './format-names.ts';
+import { gunzip, isGzip } from './gzip.ts';
 import { recognise } from './recognise.ts';
 import { type Format, noLabels, type Surface } from './surface.ts';
+import { withinMemory } from './within-memory.ts';
 import { quoted } from './wording.ts';
 
 /** One reader a format, each loaded when the first file of its format comes. */
@@ -59,18 +61,8 @@ async function readUnpacked(name: string, bytes: Uint8Array): Promise<SurfaceFil
   return { ...surface, format, notes, summary: notes.join(' ') };
 }
 
-async function withinMemory<Result>(read: () => Result | Promise<Result>): Promise<Result> {
-  try {
-    return await read();
-  } catch (error) {
-    // Engines report an array or a string that they have no room for as a RangeError.
-    if (!(error instanceof RangeError)) throw error;
-    throw new FormatError('too_large', `The file does not fit into memory (${error.message}).`);
-  }
-}
-
 function endingNote(name: string, format: Format): string[] {
   const ending = /\.(\w+)$/.exec(name)?.[1]?.toLowerCase();
   if (!ending || ending === format || (ending === 'gltf' && format === 'glb')) return [];
-  return [`The name ends in .${ending}, but the content is ${format.toUpperCase()}; it was read as such.`];
+  return [`The name ends in .${ending}, but the content is ${formatNames[format]}; it was read as such.`];
 }

@@ -1,4 +1,5 @@
 import { FormatError } from './format-error.ts';
+import { formatNames } from './format-names.ts';
 import type { Format } from './surface.ts';
 
 /** How files begin. What no reader takes is here too, so that the message can name it. */
@@ -33,7 +34,7 @@ const signatures: Signature[] = [
   { begins: /^(\xEF\xBB\xBF)?\s*<\?xml|^\s*<[A-Za-z]/, called: 'XML' },
 ];
 
-const readable = 'PLY, VTP, legacy VTK, glTF, OBJ and STL';
+const readable = Object.values(formatNames).join(', ');
 
 /**
  * The format of a file by its content. Its name is asked only where the content has no mark: an OBJ file may begin with

@@ -21,6 +21,8 @@ export interface Surface extends Labels {
 }
 
 export interface WriteOptions extends Partial<Labels> {
+  /** Packed by gzip, for a name that ends in .gz. Default: no. */
+  gzip?: boolean;
   /** PLY only. Default: binary little endian. */
   encoding?: 'ascii' | 'binary_little_endian' | 'binary_big_endian';
 }

@@ -1,5 +1,8 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
+import { formatNames } from './format-names.ts';
+import { gzip } from './gzip.ts';
 import type { Format, WriteOptions } from './surface.ts';
+import { withinMemory } from './within-memory.ts';
 import { listed } from './wording.ts';
 
 interface Writer {
@@ -37,7 +40,8 @@ const writers: Record<Format, () => Promise<Writer>> = {
  */
 export async function writeSurface(format: Format, mesh: Mesh, options?: WriteOptions): Promise<Uint8Array> {
   const { write } = await writers[format]();
-  return write(mesh, options);
+  const file = await withinMemory(() => write(mesh, options));
+  return options?.gzip ? gzip(file) : file;
 }
 
 /** What a file of this format will not hold of the mesh, a sentence each; nothing for PLY, VTP and legacy VTK. */
@@ -45,14 +49,14 @@ export async function lossesOf(format: Format, mesh: Mesh): Promise<string[]> {
   const { lost, single } = await writers[format]();
   const sentences: string[] = [];
   const names = lost(mesh).map(({ name }) => name);
-  if (names.length > 0) sentences.push(`${format.toUpperCase()} has no place for the variables ${listed(names)}.`);
+  if (names.length > 0) sentences.push(`${formatNames[format]} has no place for the variables ${listed(names)}.`);
   const kept = [
     { name: 'position', values: mesh.position },
     ...mesh.variables.filter(({ name }) => !names.includes(name)),
   ];
   const doubles = kept.filter(({ values }) => values instanceof Float64Array).map(({ name }) => name);
   if (single && doubles.length > 0) {
-    sentences.push(`${format.toUpperCase()} knows single precision only; rounded: ${listed(doubles)}.`);
+    sentences.push(`${formatNames[format]} knows single precision only; rounded: ${listed(doubles)}.`);
   }
   return sentences;
 }

@@ -1,12 +1,13 @@
-import { gzipSync } from 'node:zlib';
+import { gunzipSync, gzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
+import { formatByEnding, formatNames } from '../../web/formats/format-names.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import type { Format } from '../../web/formats/surface.ts';
 import { writeSurface } from '../../web/formats/write.ts';
 import { expectFault } from './faults.ts';
 import { fingerprint, smallMesh } from './sample-mesh.ts';
 
-const formats: Format[] = ['ply', 'vtp', 'vtk', 'obj', 'stl', 'glb'];
+const formats = Object.keys(formatNames) as Format[];
 
 describe('a file packed by gzip', () => {
   it.each(formats)('is read as %s', async (format) => {
@@ -15,6 +16,9 @@ describe('a file packed by gzip', () => {
     const packed = await readSurface(`mesh.${format}.gz`, new Uint8Array(gzipSync(file)));
     expect(fingerprint(packed.mesh)).toEqual(fingerprint(plain.mesh));
     expect(packed.notes).toEqual(plain.notes);
+    const written = await writeSurface(format, smallMesh(), { gzip: true });
+    expect(new Uint8Array(gunzipSync(written))).toEqual(file);
+    expect(formatByEnding(`a.b.${format.toUpperCase()}.gz`)).toBe(format);
   });
 
   it('that is damaged or cut anywhere is refused', async () => {
