@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the WebAssembly module, the sample surfaces and the page; each only where something changed.
+# Builds the WebAssembly module, the sample surfaces, the page and the command line; each only where something changed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,3 +9,4 @@ fi
 cmake --build --preset wasm
 node_modules/.bin/tsx web/samples/build.ts
 node_modules/.bin/vite build --config web/vite.config.ts --logLevel warn
+node_modules/.bin/vite build --config web/cli/vite.config.ts --logLevel warn

@@ -1,0 +1,47 @@
+import { parseArguments } from './arguments.ts';
+import type { Command } from './command.ts';
+import { exitStatus } from './exit-status.ts';
+import { interruptible } from './interruption.ts';
+import { sayNotes } from './notes.ts';
+import { requireWritable, StagedFiles } from './staged-files.ts';
+import { encodeSurface, openSurface, outputFormat } from './surface-files.ts';
+
+const help = `Writes a surface in another format, with every variable that the format holds.
+
+Usage: meshbound convert IN OUT
+
+The format of IN is seen from its content, that of OUT is given by its ending: .vtp, .vtk, .ply, .glb, .obj or .stl,
+and .gz behind any of them. What OUT cannot hold is said on standard error.
+
+Options:
+  --quiet    say nothing but errors
+
+Examples:
+  meshbound convert engine.vtk engine.vtp
+  meshbound convert scan.ply scan.glb
+  meshbound convert part.vtp part.stl.gz`;
+
+async function run(args: string[]): Promise<number> {
+  const { values, positionals } = parseArguments(args, {
+    options: { quiet: { type: 'boolean' } },
+    positionals: ['IN', 'OUT'],
+  });
+  const [input, output] = positionals;
+  outputFormat(output);
+  await requireWritable([output]);
+  const surface = await openSurface(input);
+  const notes = await interruptible((signal) =>
+    StagedFiles.complete(signal, async (files) => {
+      const { bytes, notes } = await encodeSurface(output, surface.mesh, surface);
+      await files.write(output, bytes);
+      return notes;
+    }),
+  );
+  if (!values.quiet) {
+    sayNotes(input, surface.notes);
+    sayNotes(output, notes);
+  }
+  return exitStatus.done;
+}
+
+export const convert: Command = { help, run };

@@ -1,0 +1,129 @@
+import type { Variable } from '../../wasm/index.ts';
+import { grouped } from '../formats/wording.ts';
+import { topologyOf } from '../surface/topology.ts';
+import { spanOf } from '../surface/value-span.ts';
+import { parseArguments } from './arguments.ts';
+import type { Command } from './command.ts';
+import { exitStatus } from './exit-status.ts';
+import { sayNotes } from './notes.ts';
+import { type OpenedSurface, openSurface } from './surface-files.ts';
+import { numberText, textTable } from './text-table.ts';
+
+const help = `Shows what a surface is like, and what its variables span.
+
+Usage: meshbound inspect FILE
+
+Shows the numbers of triangles, vertices, components (parts that share no vertex) and boundary loops; edges of three or
+more triangles or of two that disagree about the orientation, and vertices whose triangles do not form one fan; and of
+each variable its components, range, extent (the length of the diagonal of the box of its values, of which a relative
+bound is a fraction) and how many values are NaN or infinite.
+
+Options:
+  --json     the same for programs
+  --quiet    say nothing of how the file was read
+
+Examples:
+  meshbound inspect engine.vtp
+  meshbound inspect --json engine.vtp | jq '.variables[].name'`;
+
+/** What `--json` prints; documented in docs/command-line.md. */
+function inspection({ path, format, mesh, units, componentNames, notes }: OpenedSurface) {
+  const vertices = mesh.position.length / 3;
+  const describe = (variable: Variable) => {
+    const { components, extent, magnitude, constant, nan, infinite } = spanOf(variable);
+    return {
+      name: variable.name,
+      components: variable.components,
+      componentNames: componentNames[variable.name] ?? null,
+      unit: units[variable.name] ?? null,
+      precision: variable.values instanceof Float64Array ? 'double' : 'single',
+      range: components.map(({ lowest, highest }) => (lowest <= highest ? [lowest, highest] : null)),
+      extent,
+      magnitude,
+      constant,
+      nan,
+      infinite,
+    };
+  };
+  const position = { name: 'position', components: 3, values: mesh.position };
+  return {
+    file: path,
+    format,
+    triangles: mesh.triangles.length / 3,
+    vertices,
+    ...topologyOf(mesh.triangles, vertices),
+    variables: [position, ...mesh.variables].map(describe),
+    notes,
+  };
+}
+
+type Inspection = ReturnType<typeof inspection>;
+
+function countsText(found: Inspection): string {
+  const counts: [string, number][] = [
+    ['triangles', found.triangles],
+    ['vertices', found.vertices],
+    ['components', found.components],
+    ['boundary loops', found.boundaryLoops],
+    ['non-manifold edges', found.nonManifoldEdges],
+    ['non-manifold vertices', found.nonManifoldVertices],
+  ];
+  return textTable(counts.map(([name, count]) => [name, grouped(count)]));
+}
+
+const heading = ['variable', 'components', 'lowest', 'highest', 'extent', 'NaN', 'infinite'];
+
+/** A row for the variable, and one for each component where there are several. */
+function variableRows({
+  name,
+  unit,
+  components,
+  componentNames,
+  range,
+  extent,
+  nan,
+  infinite,
+}: Inspection['variables'][0]) {
+  const ends = range.map((each) => each?.map(numberText) ?? ['', '']);
+  const title = unit ? `${name} (${unit})` : name;
+  const single = components === 1;
+  const row = [
+    title,
+    String(components),
+    ...(single ? ends[0] : ['', '']),
+    numberText(extent),
+    String(nan),
+    String(infinite),
+  ];
+  const names = componentNames ?? (name === 'position' ? ['x', 'y', 'z'] : []);
+  const parts = ends.map(([lowest, highest], i) => [`  ${names[i] ?? i}`, '', lowest, highest, '', '', '']);
+  return single ? [row] : [row, ...parts];
+}
+
+function print(found: Inspection): void {
+  console.log(`${found.file} (${found.format.toUpperCase()})`);
+  console.log(countsText(found));
+  console.log();
+  console.log(textTable([heading, ...found.variables.flatMap(variableRows)]));
+  const constant = found.variables.filter((each) => each.constant).map(({ name }) => name);
+  if (constant.length > 0) {
+    console.log(
+      `\n  Constant up to rounding: ${constant.join(', ')}. Relative bounds are fractions of the magnitude there.`,
+    );
+  }
+}
+
+async function run(args: string[]): Promise<number> {
+  const { values, positionals } = parseArguments(args, {
+    options: { json: { type: 'boolean' }, quiet: { type: 'boolean' } },
+    positionals: ['FILE'],
+  });
+  const surface = await openSurface(positionals[0]);
+  const found = inspection(surface);
+  if (values.json) console.log(JSON.stringify(found, undefined, 2));
+  else print(found);
+  if (!values.quiet && !values.json) sayNotes(surface.path, surface.notes);
+  return exitStatus.done;
+}
+
+export const inspect: Command = { help, run };

@@ -1,0 +1,52 @@
+import type { Report } from '../../wasm/index.ts';
+import { grouped, listed } from '../formats/wording.ts';
+import { type Bounds, boundOf } from './bound-arguments.ts';
+import { numberText, roundedUpText, textTable } from './text-table.ts';
+
+/** How a reduction was asked for. */
+export interface ReportOptions {
+  bounds: Bounds;
+  errors: 'tracked' | 'propagated';
+  cost: 'max' | 'introduced';
+}
+
+/** What `--report` writes; its shape is documented in docs/command-line.md and stable. */
+export function reportJson(report: Report, options: ReportOptions): string {
+  const { triangles, seconds, stopped } = report;
+  const variables = report.variables.map(({ name, components, extent, constant, bound, error, ratio }) => ({
+    name,
+    components,
+    extent,
+    constant,
+    bound: Number.isFinite(bound) ? bound : null,
+    error,
+    ratio: Number.isFinite(bound) ? ratio : null,
+  }));
+  return `${JSON.stringify({ triangles, variables, seconds, options, stopped }, undefined, 2)}\n`;
+}
+
+/** The same for people. */
+export function reportText(
+  { triangles: { before, after }, variables, seconds }: Report,
+  { bounds }: ReportOptions,
+): string {
+  const removed = numberText((100 * (before - after)) / before);
+  const rows = variables.map(({ name, constant, bound, error, ratio }) => {
+    const given = boundOf(bounds, name);
+    if (given === 'free') return [name, 'free', '', roundedUpText(error), ''];
+    const share = 'relative' in given ? `${numberText(100 * given.relative)} %${constant ? ' of magnitude' : ''}` : '';
+    return [name, numberText(bound), share, roundedUpText(error), roundedUpText(ratio)];
+  });
+  return [
+    `${grouped(before)} -> ${grouped(after)} triangles (${removed} % removed) in ${seconds.toFixed(2)} s`,
+    textTable([['variable', 'bound', '', 'error', 'error/bound'], ...rows]),
+  ].join('\n');
+}
+
+/** A sentence about the variables that no bound was given for; none where there are none. */
+export function freeNotes(names: string[]): string[] {
+  if (names.length === 0) return [];
+  return [
+    `No bound was given for ${listed(names)}: free, so nothing is promised of ${names.length === 1 ? 'it' : 'them'}.`,
+  ];
+}

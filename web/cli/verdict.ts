@@ -1,0 +1,62 @@
+import type { Deviation, Verdict } from '../../wasm/judge-module.ts';
+import { grouped } from '../formats/wording.ts';
+import { numberText, textTable } from './text-table.ts';
+
+/** The farthest sample that was found in one direction. */
+interface Finding {
+  /** Distance in bounds: 1 is the limit. Infinity where there is nothing to be near to. */
+  ratio: number;
+  /** The variable that is farthest there. */
+  variable: string;
+  position: [number, number, number];
+  samples: number;
+}
+
+/** What `verify --json` prints, beside the files; documented in docs/command-line.md. */
+export interface Findings {
+  bounds: { name: string; bound: number }[];
+  ratio: number;
+  surface: { fromOriginal: Finding; fromReduced: Finding };
+  boundary: { fromOriginal: Finding; fromReduced: Finding };
+}
+
+/** The judge's verdict with the names of the variables, position first, and their absolute bounds. */
+export function findingsOf(
+  { surface, boundary }: Verdict,
+  names: readonly string[],
+  limits: readonly number[],
+): Findings {
+  const named = ({ ratio, variable, position, samples }: Deviation): Finding => {
+    return { ratio, variable: names[variable], position, samples };
+  };
+  const both = ({ fromOriginal, fromReduced }: Verdict['surface']) => {
+    return { fromOriginal: named(fromOriginal), fromReduced: named(fromReduced) };
+  };
+  const deviations = [surface.fromOriginal, surface.fromReduced, boundary.fromOriginal, boundary.fromReduced];
+  const bounds = names.map((name, i) => ({ name, bound: limits[i] })).filter(({ bound }) => Number.isFinite(bound));
+  return {
+    bounds,
+    ratio: Math.max(...deviations.map(({ ratio }) => ratio)),
+    surface: both(surface),
+    boundary: both(boundary),
+  };
+}
+
+const heading = ['', 'samples', 'error/bound', 'variable', 'worst at'];
+
+function row(title: string, { ratio, variable, position, samples }: Finding): string[] {
+  if (samples === 0) return [title, '0', Number.isFinite(ratio) ? '0' : 'nothing near', '', ''];
+  const place = `(${position.map(numberText).join(', ')})`;
+  return [title, grouped(samples), ratio.toFixed(6), ...(ratio > 0 ? [variable, place] : ['', ''])];
+}
+
+export function verdictText({ bounds, surface, boundary }: Findings): string {
+  const limits = bounds.map(({ name, bound }) => `${name} ${numberText(bound)}`).join(', ');
+  const rows = [
+    row('original to reduced', surface.fromOriginal),
+    row('reduced to original', surface.fromReduced),
+    row('boundary, original to reduced', boundary.fromOriginal),
+    row('boundary, reduced to original', boundary.fromReduced),
+  ];
+  return `Bounds: ${limits}\n${textTable([heading, ...rows])}`;
+}
