@@ -54,6 +54,18 @@ Bound bound_from(const std::string& name, const val& bound) {
         {Fault::bad_option, "The option " + std::string(option) + " cannot be \"" + given + "\".", {}, {}}};
 }
 
+/// Reads an option that is true or false; left out, it stays as it is.
+void read_flag(const val& options, const char* option, bool& flag) {
+    const val given = options[option];
+    if (given.isUndefined()) {
+        return;
+    }
+    if (!given.isTrue() && !given.isFalse()) {
+        refuse_option(option, val::global("String")(given).as<std::string>());
+    }
+    flag = given.isTrue();
+}
+
 Errors errors_from(const std::string& name) {
     if (name == "propagated") {
         return Errors::propagated;
@@ -115,6 +127,8 @@ Options options_from(const val& options) {
     if (const val cost = options["cost"]; !cost.isUndefined()) {
         result.cost = cost_from(cost.as<std::string>());
     }
+    read_flag(options, "choosePlaces", result.choose_places);
+    read_flag(options, "chooseCrossings", result.choose_crossings);
     if (const val locked = options["locked"]; !locked.isUndefined()) {
         result.locked = vector_from<std::uint32_t>(locked);
     }

@@ -1,5 +1,7 @@
 #include "to_js.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -38,6 +40,25 @@ val array_to(const std::vector<T>& values) {
     return array_to(values.data(), values.size());
 }
 
+/// How many elements are gathered before they are handed over together: few enough to stay in the cache.
+constexpr std::size_t block_size = 1024;
+
+/// Numbers that do not lie side by side in C++ as one typed array: `per_element` numbers for each element, as
+/// `write(element, numbers)` writes them. They pass through one small block, so that nothing is held twice.
+template <class T, std::size_t per_element, class Element, class Write>
+val gathered_to(const std::vector<Element>& elements, Write write) {
+    std::array<T, block_size * per_element> block;
+    val array = val(typed_memory_view(0, block.data()))["constructor"].new_(number(elements.size() * per_element));
+    for (std::size_t first = 0; first < elements.size(); first += block_size) {
+        const std::size_t size = std::min(block_size, elements.size() - first);
+        for (std::size_t i = 0; i < size; ++i) {
+            write(elements[first + i], block.data() + i * per_element);
+        }
+        array.call<void>("set", val(typed_memory_view(size * per_element, block.data())), number(first * per_element));
+    }
+    return array;
+}
+
 /// A JavaScript array of what `convert` makes of each element.
 template <class Range, class Convert>
 val list_to(const Range& range, Convert convert) {
@@ -67,6 +88,27 @@ val mesh_to(const Mesh& mesh) {
 val triangle_errors_to(const TriangleErrors& errors) {
     return object(field("largest", array_to(errors.largest)), field("lowest", array_to(errors.lowest)),
                   field("highest", array_to(errors.highest)));
+}
+
+val map_to(const SurfaceMap& map) {
+    const auto triangle = [](const MapPlace& place, std::uint32_t* to) { *to = place.triangle; };
+    const auto barycentric = [](const MapPlace& place, double* to) { std::copy_n(&place.barycentric.x, 3, to); };
+    const auto edges = [](const MapCrossing& crossing, std::uint32_t* to) {
+        std::copy_n(&crossing.original.x, 2, to);
+        std::copy_n(&crossing.reduced.x, 2, to + 2);
+    };
+    const auto places = [](const MapCrossing& crossing, double* to) {
+        to[0] = crossing.s;
+        to[1] = crossing.t;
+    };
+    return object(field("triangle", gathered_to<std::uint32_t, 1>(map.places, triangle)),
+                  field("barycentric", gathered_to<double, 3>(map.places, barycentric)),
+                  field("crossingEdges", gathered_to<std::uint32_t, 4>(map.crossings, edges)),
+                  field("crossingPlaces", gathered_to<double, 2>(map.crossings, places)));
+}
+
+val vertex_errors_to(const VertexErrors& errors) {
+    return object(field("error", array_to(errors.error)), field("signedError", array_to(errors.signed_error)));
 }
 
 val variable_report_to(const VariableReport& report) {
@@ -110,9 +152,14 @@ val extent_to(const Variable& variable, const ResolvedBound& bound) {
 } // namespace
 
 val reduction_to(const Reduction& reduction, double seconds) {
-    return object(field("mesh", mesh_to(reduction.mesh)), field("vertices", array_to(reduction.vertices)),
-                  field("triangleErrors", list_to(reduction.triangle_errors, triangle_errors_to)),
-                  field("report", report_to(reduction.report, seconds)));
+    val result = object(field("mesh", mesh_to(reduction.mesh)), field("vertices", array_to(reduction.vertices)),
+                        field("triangleErrors", list_to(reduction.triangle_errors, triangle_errors_to)),
+                        field("report", report_to(reduction.report, seconds)));
+    if (!reduction.map.places.empty()) {
+        result.set("map", map_to(reduction.map));
+        result.set("vertexErrors", list_to(reduction.vertex_errors, vertex_errors_to));
+    }
+    return result;
 }
 
 val inspection_to(const Mesh& mesh, const Oddities& oddities, const std::vector<ResolvedBound>& bounds) {

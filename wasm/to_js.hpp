@@ -6,7 +6,8 @@
 
 namespace meshbound::js {
 
-/// A `Reduction` of wasm/types.ts. Every array is copied once, into memory of JavaScript's own.
+/// A `Reduction` of wasm/types.ts; map and vertex errors only where there are any (tracked errors). Every array is copied
+/// once, into memory of JavaScript's own.
 emscripten::val reduction_to(const Reduction& reduction, double seconds);
 
 /// An `Inspection` of wasm/inspection.ts. `bounds` has position first, then the mesh's variables.
