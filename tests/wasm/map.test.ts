@@ -85,7 +85,7 @@ describe('the map from the original onto the reduced surface', () => {
     const { error } = vertexErrors[index];
     const { largest } = reduction.triangleErrors[index];
     map.triangle.forEach((triangle, vertex) => {
-      expect(error[vertex].toBeLessThanOrEqual(largest[triangle] + rounding);
+      expect(error[vertex]).toBeLessThanOrEqual(largest[triangle] + rounding);
     });
   });
 
