@@ -114,6 +114,11 @@ describe('VTP types', () => {
     expect(await arrayOf('Float64', '0.1 2 3')).toEqual(Float64Array.of(0.1, 2, 3));
   });
 
+  it('that are too long for doubles are said to be rounded', async () => {
+    const file = vtp(piece({ p: '<DataArray type="Int64" Name="p" format="ascii">1 2 9007199254740993</DataArray>' }));
+    expect((await read(file)).summary).toContain('Rounded, being beyond 2^53: values of “p”');
+  });
+
   it('that are not numbers are refused or left out by name', async () => {
     const bit = vtp(piece({ p: '<DataArray type="Bit" Name="p" format="ascii">1 0 1</DataArray>' }));
     await expectFault(bit, 'unsupported_feature', '“p”', '“Bit”');

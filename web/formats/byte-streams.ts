@@ -67,7 +67,9 @@ export class Base64Bytes implements ByteStream {
       if (this.spare.length === 0) filled = this.takeWholeGroups(bytes, filled);
       if (filled === length) break;
       if (this.spare.length === 0) this.spare = this.nextGroup(length - filled);
-      while (filled < length && this.spare.length > 0) bytes[filled++] = this.spare.shift()!;
+      const taken = this.spare.splice(0, length - filled);
+      bytes.set(taken, filled);
+      filled += taken.length;
     }
     return bytes;
   }

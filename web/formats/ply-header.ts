@@ -80,12 +80,12 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
 function headerLines(bytes: Uint8Array): { lines: string[]; end: number } {
   const oneByteACharacter = new TextDecoder('latin1').decode(bytes.subarray(0, longestHeader));
   const lineEnd = /^ply[ \t]*(\r\n|\n|\r)/.exec(oneByteACharacter)?.[1];
-  const last = lineEnd && new RegExp(`${lineEnd}end_header[ \\t]*${lineEnd}`).exec(oneByteACharacter);
+  const last = lineEnd !== undefined && new RegExp(`${lineEnd}end_header[ \\t]*${lineEnd}`).exec(oneByteACharacter);
   if (!last) {
     const message = 'The PLY header does not end: there is no line “end_header”.';
     throw new FormatError(bytes.length > longestHeader ? 'bad_header' : 'truncated', message, 'header');
   }
-  const lines = new TextDecoder().decode(bytes.subarray(0, last.index)).split(lineEnd!);
+  const lines = new TextDecoder().decode(bytes.subarray(0, last.index)).split(lineEnd);
   return { lines, end: last.index + last[0].length };
 }
 
@@ -110,11 +110,11 @@ function parseEncoding(word: string, where: string): PlyHeader['encoding'] {
 }
 
 function addElement(header: PlyHeader, words: string[], where: string): void {
-  const [, name, count] = words;
-  if (words.length !== 3 || !/^\d{1,15}$/.test(count!)) {
+  const [, name = '', count = ''] = words;
+  if (words.length !== 3 || !/^\d{1,15}$/.test(count)) {
     throw badHeader('An element needs a name and a count that is a whole number', where);
   }
-  header.elements.push({ name: name!, count: Number(count), properties: [] });
+  header.elements.push({ name, count: Number(count), properties: [] });
 }
 
 function addProperty(header: PlyHeader, words: string[], where: string): void {
@@ -122,11 +122,11 @@ function addProperty(header: PlyHeader, words: string[], where: string): void {
   if (!element) throw badHeader('A property stands before the first element', where);
   const isList = words[1] === 'list';
   if (words.length !== (isList ? 5 : 3)) throw badHeader('A property needs a type and a name', where);
-  const name = words.at(-1)!;
+  const [type, name] = words.slice(-2);
   if (name.includes('\u{FFFD}')) {
     throw new FormatError('bad_encoding', `The name of a property is not UTF-8 (${where}).`, where);
   }
-  const property: PlyProperty = { name, type: parseType(words.at(-2)!, where) };
+  const property: PlyProperty = { name, type: parseType(type, where) };
   if (isList) property.listLength = parseLengthType(words[2], where);
   element.properties.push(property);
 }

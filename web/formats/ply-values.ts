@@ -39,7 +39,7 @@ export abstract class PlyValues {
 
   /** The length of a list, checked against the file; its items are to be read next. */
   nextLength(property: PlyProperty): number {
-    const length = this.next(property.listLength!);
+    const length = this.next(property.listLength ?? property.type);
     if (!Number.isInteger(length) || length < 0) {
       const message = `The list ${quoted(property.name)} of ${this.place()} has ${length} items.`;
       throw new FormatError('bad_polygon', message, this.place());

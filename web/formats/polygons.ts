@@ -8,6 +8,8 @@ export interface Polygons {
   ends: Uint32Array;
 }
 
+export const noPolygons: Polygons = { corners: new Uint32Array(), ends: new Uint32Array() };
+
 type Position = Float32Array | Float64Array;
 type Vector = [number, number, number];
 

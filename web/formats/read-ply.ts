@@ -1,12 +1,20 @@
 import type { Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
 import { GrowingPolygons } from './growing-arrays.ts';
-import { isFloatType, type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './ply-header.ts';
+import {
+  isFloatType,
+  type PlyElement,
+  type PlyHeader,
+  type PlyProperty,
+  type PlyType,
+  readPlyHeader,
+} from './ply-header.ts';
 import { type PlyValues, plyValues } from './ply-values.ts';
 import { declaredComponentNames, declaredUnits, groupProperties, type PlyVariable } from './ply-variables.ts';
-import { type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
+import { noPolygons, type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
 import { noLabels, type Surface } from './surface.ts';
+import { cutNotes } from './text-lines.ts';
 import { capitalised, counted, listed, quoted } from './wording.ts';
 
 // Written by hand although three.js has a PLYLoader. That one converts colours between colour spaces, rounding them; has
@@ -71,20 +79,25 @@ function readVertices(element: PlyElement, comments: string[], values: PlyValues
   const columns = new Map<string, Column>();
   const read = groups.map((group) => allocate(group, byName, element.count, columns));
   readColumns(element, columns, values);
-  const [position, ...variables] = read.map(({ variable, integers }) =>
-    integers ? { ...variable, values: asFloatingPoint(variable.values as Float64Array) } : variable,
+  const finished = read.map(({ variable, integers }) =>
+    integers ? { ...variable, values: asFloatingPoint(variable.values) } : variable,
   );
-  return { position: position!.values, variables, notes: vertexNotes(element, byName, groups) };
+  const [{ values: position }, ...variables] = finished;
+  return { position, variables, notes: vertexNotes(element, byName, groups) };
 }
 
 /** Room for one variable: single precision if the file has it in single precision, else double until all values are known. */
 function allocate(group: PlyVariable, byName: Map<string, PlyProperty>, count: number, columns: Map<string, Column>) {
-  const types = group.properties.map((name) => byName.get(name)!.type);
+  const types = typesOf(group, byName);
   const components = types.length;
   const single = types.every((type) => type === 'float32');
   const values = single ? new Float32Array(count * components) : new Float64Array(count * components);
   for (const [offset, name] of group.properties.entries()) columns.set(name, { values, step: components, offset });
   return { variable: { name: group.name, components, values }, integers: !types.some(isFloatType) };
+}
+
+function typesOf(group: PlyVariable, byName: Map<string, PlyProperty>): PlyType[] {
+  return group.properties.flatMap((name) => byName.get(name)?.type ?? []);
 }
 
 function readColumns(element: PlyElement, columns: Map<string, Column>, values: PlyValues): void {
@@ -102,7 +115,7 @@ function vertexNotes(element: PlyElement, byName: Map<string, PlyProperty>, grou
   const notes: string[] = [];
   const lists = element.properties.filter((property) => property.listLength).map((property) => property.name);
   if (lists.length > 0) notes.push(`Not carried: the vertex lists ${listed(lists)}.`);
-  const integers = groups.filter((group) => !group.properties.some((name) => isFloatType(byName.get(name)!.type)));
+  const integers = groups.filter((group) => !typesOf(group, byName).some(isFloatType));
   if (integers.length > 0)
     notes.push(
       `Whole numbers in the file, floating point from here on: ${listed(integers.map((group) => group.name))}.`,
@@ -165,14 +178,12 @@ function joinTriangles(
   position: Float32Array | Float64Array,
   notes: string[],
 ): Uint32Array {
-  const none = new Uint32Array();
-  const { triangles: ofFaces, split } = parts.faces
-    ? triangulate(parts.faces, position, 'face')
-    : { triangles: none, split: 0 };
-  const ofStrips = parts.strips ? trianglesOfStrips(parts.strips, position, 'strip') : none;
+  const { faces = noPolygons, strips = noPolygons } = parts;
+  const { triangles: ofFaces, split } = triangulate(faces, position, 'face');
+  const ofStrips = trianglesOfStrips(strips, position, 'strip');
   if (split > 0) notes.push(`${counted(split, 'face')} with more than three corners split into triangles.`);
-  if (ofStrips.length > 0)
-    notes.push(`${counted(parts.strips!.ends.length, 'triangle strip')} taken apart into triangles.`);
+  if (strips.ends.length > 0)
+    notes.push(`${counted(strips.ends.length, 'triangle strip')} taken apart into triangles.`);
   if (ofFaces.length + ofStrips.length === 0) {
     throw new FormatError('no_triangles', `The file has ${counted(position.length / 3, 'point')}, but no faces.`);
   }
@@ -186,10 +197,7 @@ function joinTriangles(
 function endNotes(bytes: Uint8Array, header: PlyHeader, values: PlyValues): string[] {
   const notes: string[] = [];
   if (values.left > 0) notes.push(`${counted(values.left, 'byte')} after the last element passed over.`);
-  const lastByteIsDigit = bytes.at(-1)! > 32;
-  if (header.encoding === 'ascii' && values.left === 0 && lastByteIsDigit) {
-    notes.push('The file does not end with a line break: if it was cut short, its last number may be wrong.');
-  }
+  else if (header.encoding === 'ascii') notes.push(...cutNotes(bytes));
   return notes;
 }
 

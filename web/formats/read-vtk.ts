@@ -1,8 +1,9 @@
 import { FormatError } from './format-error.ts';
 import { decodeName, LegacyVtkText } from './legacy-vtk-text.ts';
-import type { Polygons } from './polygons.ts';
+import { noPolygons, type Polygons } from './polygons.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
-import { asEnds, asIndices, meshOfPieces, noPolygons, type PointArray } from './vtk-pieces.ts';
+import { cutNotes as lineBreakNotes } from './text-lines.ts';
+import { asEnds, asIndices, meshOfPieces, type PointArray } from './vtk-pieces.ts';
 import { isFloat, type VtkType, type VtkValues } from './vtk-values.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
 
@@ -336,8 +337,6 @@ function cutNotes(bytes: Uint8Array, text: LegacyVtkText, points: Attributes): s
   if (points.tuples !== undefined && points.arrays.length + points.lost.length === 0) {
     notes.push('POINT_DATA is empty: the file may have been cut short.');
   }
-  if (!text.binary && bytes[bytes.length - 1] > 32) {
-    notes.push('The file does not end with a line break: if it was cut short, its last number may be wrong.');
-  }
+  if (!text.binary) notes.push(...lineBreakNotes(bytes));
   return notes;
 }

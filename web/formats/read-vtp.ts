@@ -1,9 +1,9 @@
 import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
-import type { Polygons } from './polygons.ts';
+import { noPolygons, type Polygons } from './polygons.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
 import { isFloatArray, readDataArray, type VtkPacking } from './vtk-data-array.ts';
-import { asEnds, asIndices, meshOfPieces, noPolygons, type Piece, type PointArray } from './vtk-pieces.ts';
+import { asEnds, asIndices, meshOfPieces, type Piece, type PointArray } from './vtk-pieces.ts';
 import type { VtkValues } from './vtk-values.ts';
 import { weld } from './weld.ts';
 import { sealed } from './welded-surface.ts';
@@ -191,8 +191,10 @@ function labelsOf(pieces: XmlNode[], names: string[]): Labels {
   for (const piece of pieces) {
     const points = childrenOf(piece, 'Points').flatMap((parent) => childrenOf(parent, 'DataArray'));
     for (const node of points) addLabels(node, 'position', labels);
-    for (const node of pointArrays(piece))
-      if (known.has(node.attributes.Name!)) addLabels(node, node.attributes.Name!, labels);
+    for (const node of pointArrays(piece)) {
+      const { Name: name = '' } = node.attributes;
+      if (known.has(name)) addLabels(node, name, labels);
+    }
   }
   return labels;
 }

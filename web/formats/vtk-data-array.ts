@@ -82,7 +82,7 @@ function openStream(node: XmlNode, { appended }: VtkPacking, where: string): Byt
 /** Uncompressed data: the number of bytes, then these. */
 function takePlain(stream: ByteStream, size: number, packing: VtkPacking, where: string): Uint8Array<ArrayBuffer> {
   const [length] = takeHeader(stream, 1, packing);
-  if (length !== size) throw wrongSize(where, length!, size);
+  if (length !== size) throw wrongSize(where, length, size);
   return stream.take(size);
 }
 

@@ -24,8 +24,6 @@ export interface Piece {
   strips: Polygons;
 }
 
-export const noPolygons: Polygons = { corners: new Uint32Array(), ends: new Uint32Array() };
-
 /** One mesh of all pieces, triangulated; adds to `notes` what was changed or left out on the way. */
 export function meshOfPieces(pieces: Piece[], notes: string[]): Mesh {
   for (const piece of pieces) checkNames(piece);
@@ -64,7 +62,15 @@ function joinArrays(pieces: Piece[], notes: string[]): Variable[] {
   });
   if (lost.size > 0) notes.push(`Not carried, since not every piece has them: the arrays ${listed([...lost])}.`);
   if (integers.length > 0) notes.push(`Whole numbers in the file, floating point from here on: ${listed(integers)}.`);
+  const rounded = variables.filter(({ name, values }) => integers.includes(name) && values.some(isBeyondDoubles));
+  if (rounded.length > 0)
+    notes.push(`Rounded, being beyond 2^53: values of ${listed(rounded.map(({ name }) => name))}.`);
   return variables;
+}
+
+/** Whole numbers that a double may have been too short for. */
+function isBeyondDoubles(value: number): boolean {
+  return Math.abs(value) > Number.MAX_SAFE_INTEGER;
 }
 
 /** One after the other, in double precision if any of them is. */

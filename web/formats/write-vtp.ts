@@ -32,7 +32,7 @@ export function writeVtp(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   );
   const head = new TextEncoder().encode(headText(mesh, tags));
   const tail = new TextEncoder().encode('\n  </AppendedData>\n</VTKFile>\n');
-  const file = new Uint8Array(head.length + offsets.at(-1)! + tail.length);
+  const file = new Uint8Array(head.length + offsets[arrays.length] + tail.length);
   file.set(head);
   for (const [index, array] of arrays.entries()) writeArray(file, head.length + offsets[index], array);
   file.set(tail, file.length - tail.length);

@@ -33,12 +33,12 @@ export function parseXml(bytes: Uint8Array, open: boolean): XmlNode {
   parser.on('opentag', (tag: SaxesTagPlain) => {
     if (++nodes > mostNodes || stack.length > deepest) fail('too many or too deeply nested elements');
     const node = { tag: tag.name, attributes: tag.attributes, children: [], text: '' };
-    stack.at(-1)!.children.push(node);
+    stack[stack.length - 1].children.push(node);
     stack.push(node);
   });
   parser.on('closetag', () => stack.pop());
   parser.on('text', (text) => {
-    stack.at(-1)!.text += text;
+    stack[stack.length - 1].text += text;
   });
   parser.on('error', (error) => fail(error.message.replace(/^\d+:\d+: /, '').replace(/\.$/, '')));
   feed(parser, bytes);
