@@ -2,7 +2,7 @@ import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { cached, contentHash } from './cache.ts';
-import type { Judge } from './native.ts';
+import { hair, type Judge } from './native.ts';
 import type { Peer, Setting, Task } from './peer.ts';
 import { places } from './places.ts';
 import { Search } from './search.ts';
@@ -25,8 +25,6 @@ export interface PeerResult {
 const allowed = { least: 24, most: 120, seconds: 12 };
 /** To be raised when peers are run in another way, so that results kept from before are not taken. */
 const version = 3;
-/** The judge's accuracy, as a fraction of a bound. */
-const hair = 1e-6;
 
 /** Searched for once; kept for as long as peer, surface and bounds are the same, until more effort is asked for. */
 export function bestOfPeer(peer: Peer, name: string, task: Task, judge: Judge, effort: number): Promise<PeerResult> {

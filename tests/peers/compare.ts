@@ -7,15 +7,15 @@
  * Bounds are in percent of the extents, 0.1/1,1/3,3/3,6/6,9/9 where none are given. --quick takes three small surfaces, two
  * bounds and half the effort. Effort says how long to search for the best of a peer: 2 lets it run twice as often as 1, the
  * usual; what was found is kept in build/peers-cache. MESHBOUND_DATA names a folder of further surfaces (PLY). The tables
- * go to standard output, and to the file as they grow.
+ * go to standard output and, as they grow, to the file, in place of what it has below the line that says so.
  */
-import { writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { parseArgs } from 'node:util';
 
 import { bestOfPeer } from './best-of-peer.ts';
 import { meshoptimizer } from './meshoptimizer.ts';
-import { buildNative, Judge } from './native.ts';
+import { buildNative, hair, Judge, ratio } from './native.ts';
 import type { Peer } from './peer.ts';
 import { findSurfaces, quickSurfaces, quickSurfacesWithoutData, readScalars, type SurfaceFile } from './surfaces.ts';
 import { bestPeer, type Row, share, tables } from './table.ts';
@@ -24,6 +24,9 @@ import { vtk } from './vtk.ts';
 const usualBounds = '0.1/1,1/3,3/3,6/6,9/9';
 const quickBounds = '1/3,6/6';
 const quickEffort = 0.5;
+
+/** Whatever stands below this line of a file is written here. */
+const marker = '<!-- Below: tests/peers/compare.ts -->';
 
 /** In percent. */
 interface Bounds {
@@ -91,6 +94,12 @@ function head(): string {
   return `Measured on ${date} with ${tools}, Node ${process.versions.node}; ${cpus().length} × ${cpus()[0].model}.`;
 }
 
+/** Keeps what the file says above the marker. */
+function write(path: string, text: string): void {
+  const before = existsSync(path) ? readFileSync(path, 'utf8').split(marker)[0] : '';
+  writeFileSync(path, `${before}${marker}\n\n${text}\n`);
+}
+
 const { values: options } = parseArgs({
   options: {
     quick: { type: 'boolean', default: false },
@@ -110,7 +119,11 @@ const rows: Row[] = [];
 for (const surface of surfaces) {
   rows.push(...(await compare(surface)));
   // After every surface: a long comparison can be looked at, or ended, on its way.
-  if (options.out) writeFileSync(options.out, `${head()}\n\n${tables(rows)}\n`);
+  if (options.out) write(options.out, `${head()}\n\n${tables(rows)}`);
 }
 console.log(`${head()}\n\n${tables(rows)}`);
+for (const row of rows.filter(({ tracked, propagated }) => Math.max(ratio(tracked), ratio(propagated)) > 1 + hair)) {
+  console.error(`Meshbound is beyond the bounds on ${row.surface} at ${row.bounds}.`);
+  process.exitCode = 1;
+}
 for (const tool of [judge, ...peers]) tool.close();

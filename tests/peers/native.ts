@@ -8,7 +8,7 @@ import { places } from './places.ts';
 /** Compiles the judge with the core as it is now; quick where nothing changed. */
 export function buildNative(): void {
   const run = (...programArguments: string[]) =>
-    execFileSync('cmake', programArguments, { stdio: ['ignore', 'ignore', 'inherit'] });
+    execFileSync('cmake', programArguments, { stdio: ['ignore', process.stderr, process.stderr] });
   if (!existsSync(join(places.nativeBuild, 'build.ninja'))) {
     run('-S', places.nativeSources, '-B', places.nativeBuild, '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release');
   }
@@ -26,6 +26,14 @@ export interface Reduced {
   seconds: number;
   ratio: number;
   boundaryRatio: number;
+}
+
+/** The judge is exact to this fraction of a bound. */
+export const hair = 1e-6;
+
+/** The judge's, of surface and boundary; at most 1 + hair where the bounds are kept. */
+export function ratio(reduced: Reduced): number {
+  return Math.max(reduced.ratio, reduced.boundaryRatio);
 }
 
 /** The judge of one surface at one pair of bounds at a time, and Meshbound beside it (judge_main.cpp). */

@@ -13,8 +13,12 @@ export interface Found {
 /** How all weights together are tried first, then how those of the best are changed, coarse to fine. */
 const firstFactors = [1, 8, 64, 0.125];
 const refinements = [2, 1.4, 1.2];
-/** A setting is worth more runs if it passes with this part of the triangles of the best so far. */
-const hope = 0.97;
+/**
+ * A setting is worth more runs if it passes with one of these parts of the triangles of the best so far: several, for
+ * results that fail with some triangles can pass with fewer.
+ */
+const hopes = [0.97, 0.85, 0.7];
+const hope = hopes[0];
 /** Two numbers of triangles this close need no more bisection. */
 const closeEnough = 0.985;
 const largestStep = 0.5;
@@ -49,7 +53,7 @@ export class Search {
   async fewest(options: string[], starts: string[][], before?: { setting: Setting; target: number }): Promise<Found> {
     if (before) await this.improves(before.setting, before.target);
     for (const factor of firstFactors) {
-      for (const start of starts) await this.descend(this.uniform(factor, start));
+      for (const start of starts) await this.descend(this.uniform(factor, start), hopes);
     }
     await this.mend();
     for (const option of options) await this.descend(toggled(this.best.setting, option));
@@ -94,20 +98,35 @@ export class Search {
   }
 
   /** As few triangles as this setting gives, if that is fewer than the best so far. */
-  private async descend(setting: Setting): Promise<void> {
+  private async descend(setting: Setting, parts = [hope]): Promise<void> {
     const isFirst = this.best.triangles === this.original.triangles;
-    if (!isFirst && !(await this.improves(setting, Math.floor(this.best.triangles * hope)))) return;
-    let step = isFirst ? largestStep : hope;
-    let fails = 0;
-    while (fails === 0 && !this.isOver()) {
-      const target = Math.floor(this.best.triangles * step);
-      if (!(await this.improves(setting, target))) fails = Math.max(1, target);
-      step = Math.max(step ** 2, largestStep);
-    }
+    if (!isFirst && !(await this.isHopeful(setting, parts))) return;
+    let fails = await this.leap(setting, isFirst ? largestStep : hope);
     while (fails < closeEnough * this.best.triangles && !this.isOver()) {
       const target = Math.floor(Math.sqrt(fails * this.best.triangles));
       if (target <= fails) return;
       if (!(await this.improves(setting, target))) fails = target;
+    }
+  }
+
+  private async isHopeful(setting: Setting, parts: number[]): Promise<boolean> {
+    const start = this.best.triangles;
+    for (const part of parts) {
+      if (await this.improves(setting, Math.floor(start * part))) return true;
+    }
+    return false;
+  }
+
+  /** Down in growing steps until two numbers of triangles in a row fail; returns the larger one. */
+  private async leap(setting: Setting, firstStep: number): Promise<number> {
+    let step = firstStep;
+    for (;;) {
+      const start = this.best.triangles;
+      const target = Math.floor(start * step);
+      step = Math.max(step ** 2, largestStep);
+      if (await this.improves(setting, target)) continue;
+      if (await this.improves(setting, Math.floor(start * Math.max(step ** 2, largestStep ** 2)))) continue;
+      return Math.max(1, target);
     }
   }
 

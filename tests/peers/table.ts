@@ -1,5 +1,5 @@
 import type { PeerResult } from './best-of-peer.ts';
-import type { Reduced } from './native.ts';
+import { type Reduced, ratio } from './native.ts';
 
 /** One surface at one pair of bounds. */
 export interface Row {
@@ -46,7 +46,7 @@ function medians(groups: Row[][]): string {
       decimals(median(shares)),
       decimals(Math.max(...shares)),
       more.join(', ') || 'none',
-      decimals(median(group.map((row) => row.tracked.ratio))),
+      decimals(median(group.map((row) => ratio(row.tracked)))),
     ];
   });
   return markdown(
@@ -67,7 +67,7 @@ function table(rows: Row[]): string {
       row.propagated.triangles,
       ...peers.map((peer) => row.peers[peer]?.triangles ?? ''),
       decimals(share(row)),
-      decimals(Math.max(row.tracked.ratio, row.tracked.boundaryRatio)),
+      decimals(ratio(row.tracked)),
       decimals(row.tracked.seconds),
     ]),
   );

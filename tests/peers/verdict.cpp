@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "judge/judge.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double limit = 1 + hair;
 /// Where one result fails others fail as well; more places than these cost more than they save.
 constexpr std::size_t most_hard_samples = 64;
+constexpr auto unknown = std::numeric_limits<std::uint32_t>::max();
 
 std::vector<judge::Sample> samples_of(const judge::JointSurface& surface) {
     std::vector<judge::Sample> samples;
@@ -61,12 +63,43 @@ Verdict::Answer Verdict::hard_samples_beyond(const judge::JointSurface& reduced,
 }
 
 Verdict::Answer Verdict::samples_beyond(const judge::JointSurface& reduced, const judge::JointTree& reduced_tree) {
-    for (std::size_t s = 0; s < samples.size(); ++s)
+    feet.assign(original.rows.size() / static_cast<std::size_t>(space.dimensions()), unknown);
+    std::uint32_t triangle = unknown;
+    bool skipped = false;
+    for (std::size_t s = 0; s < samples.size(); ++s) { // all those of a triangle follow each other
+        if (samples[s].triangle != triangle) skipped = triangle_within(samples[s].triangle, reduced, reduced_tree);
+        triangle = samples[s].triangle;
+        if (skipped) continue;
         if (const Answer answer = sample_beyond(original, samples[s], reduced, reduced_tree)) {
             remember(s);
             return answer;
         }
+    }
     return std::nullopt;
+}
+
+bool Verdict::triangle_within(std::uint32_t triangle, const judge::JointSurface& reduced,
+                              const judge::JointTree& reduced_tree) {
+    const auto& corners = original.triangles[triangle];
+    for (std::uint32_t corner : corners) {
+        if (feet[corner] == unknown) {
+            const judge::Foot foot = reduced_tree.nearest(original.row(corner), limit, guess);
+            guess = foot.triangle;
+            if (foot.nearest.distance > limit) return false;
+            feet[corner] = foot.triangle;
+        }
+        const auto near_foot = [&](std::uint32_t other) {
+            return other == corner || corner_within(other, reduced, feet[corner]);
+        };
+        if (std::all_of(corners.begin(), corners.end(), near_foot)) return true;
+    }
+    return false;
+}
+
+bool Verdict::corner_within(std::uint32_t vertex, const judge::JointSurface& reduced, std::uint32_t triangle) const {
+    const auto& [a, b, c] = reduced.triangles[triangle];
+    return metric.to_triangle(original.row(vertex), reduced.row(a), reduced.row(b), reduced.row(c), limit, limit)
+               .distance <= limit;
 }
 
 Verdict::Answer Verdict::sample_beyond(const judge::JointSurface& from, const judge::Sample& sample,
