@@ -25,9 +25,6 @@ using certificate::Step;
 
 class Map : public ModeTest {
 protected:
-    void SetUp() override {
-        if (!GetParam().tracked()) GTEST_SKIP() << "only tracked errors keep the map";
-    }
     Reduction reduce(const Mesh& mesh, const Bounds& bounds) const {
         return promise::reduced(mesh, bounds, GetParam().options());
     }
@@ -44,7 +41,7 @@ protected:
         }
     }
 };
-EVERY_MODE(Map);
+INSTANTIATE_TEST_SUITE_P(TrackedModes, Map, testing::ValuesIn(tracked_modes()), mode_name);
 
 TEST_P(Map, ProvesThePromiseOverEveryKindOfSurface) {
     for (const meshes::Exhibit& exhibit : meshes::gallery())

@@ -34,8 +34,7 @@ protected:
     }
     Mesh mesh;
 };
-INSTANTIATE_TEST_SUITE_P(EveryMode, ProgressTest, testing::ValuesIn(modes()),
-                         [](const testing::TestParamInfo<Mode>& mode) { return mode.param.name; });
+EVERY_MODE(ProgressTest);
 
 TEST_P(ProgressTest, RisesToOne) {
     Reduction reduction;

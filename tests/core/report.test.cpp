@@ -24,8 +24,7 @@ protected:
         return promise::reduced(mesh, bounds, GetParam().options());
     }
 };
-INSTANTIATE_TEST_SUITE_P(EveryMode, ReportTest, testing::ValuesIn(modes()),
-                         [](const testing::TestParamInfo<Mode>& mode) { return mode.param.name; });
+EVERY_MODE(ReportTest);
 
 /// Single precision, in which errors of triangles are given.
 constexpr double single_rounding = 1e-6;

@@ -114,7 +114,8 @@ public:
         for_each_piece([&](const SegmentationCell& cell, const glm::uvec3& piece) {
             covered[cell.reduced] += share_of(piece, [&](std::uint32_t corner) { return in_reduced(cell, corner); });
         });
-        for (std::size_t t = 0; t < covered.size(); ++t) ASSERT_NEAR(covered[t], 1, rounding) << "reduced triangle " << t;
+        for (std::size_t t = 0; t < covered.size(); ++t)
+            ASSERT_NEAR(covered[t], 1, rounding) << "reduced triangle " << t;
     }
 
     /// Every used vertex and every crossing is a corner; a crossing in all triangles that meet there, of both surfaces.
@@ -188,7 +189,8 @@ public:
             const Variable& reduced = i == 0 ? reduction_.mesh.position : reduction_.mesh.variables[i - 1];
             double largest = 0;
             for_each_corner([&](const SegmentationCell& cell, std::uint32_t corner) {
-                const std::vector<double> there = mixed(original, mesh_.triangles[cell.original], in_original(cell, corner));
+                const std::vector<double> there =
+                    mixed(original, mesh_.triangles[cell.original], in_original(cell, corner));
                 const std::vector<double> here =
                     mixed(reduced, reduction_.mesh.triangles[cell.reduced], in_reduced(cell, corner));
                 double square = 0;
@@ -196,7 +198,8 @@ public:
                 largest = std::max(largest, std::sqrt(square));
             });
             const VariableReport& report = reduction_.report.variables[i];
-            EXPECT_NEAR(largest, report.error, 1e-9 * report.error + 1e-12 * (report.bound.extent + report.bound.magnitude))
+            EXPECT_NEAR(largest, report.error,
+                        1e-9 * report.error + 1e-12 * (report.bound.extent + report.bound.magnitude))
                 << report.name;
         }
     }
@@ -229,18 +232,21 @@ private:
         return "corner " + std::to_string(corner) + " of triangle " + std::to_string(cell.original);
     }
 
-    template <class Visit> void for_each_corner(const Visit& visit) const {
+    template <class Visit>
+    void for_each_corner(const Visit& visit) const {
         for (const SegmentationCell& cell : segmentation_.cells)
             for (std::uint32_t i = 0; i < cell.corner_count; ++i)
                 visit(cell, segmentation_.corners[cell.first_corner + i]);
     }
-    template <class Visit> void for_each_piece(const Visit& visit) const {
+    template <class Visit>
+    void for_each_piece(const Visit& visit) const {
         for (const SegmentationCell& cell : segmentation_.cells)
             for (std::uint32_t i = 0; i + 2 < cell.corner_count; ++i)
                 visit(cell, segmentation_.pieces[cell.first_piece + i]);
     }
 
-    template <class Place> static double share_of(const glm::uvec3& piece, const Place& place) {
+    template <class Place>
+    static double share_of(const glm::uvec3& piece, const Place& place) {
         const glm::dvec3 a = place(piece.x), b = place(piece.y), c = place(piece.z);
         return (b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y);
     }
@@ -266,8 +272,10 @@ TEST(Segmentation, CoversEveryKindOfSurface) {
 }
 
 TEST(Segmentation, CoversOddSurfaces) {
-    std::vector<Mesh> odd = {meshes::three_sheets(8),          meshes::cubes_on_one_edge(4),
-                             meshes::bow_tie(8),               meshes::one_triangle_reversed(8),
+    std::vector<Mesh> odd = {meshes::three_sheets(8),
+                             meshes::cubes_on_one_edge(4),
+                             meshes::bow_tie(8),
+                             meshes::one_triangle_reversed(8),
                              meshes::with_degenerate_triangles(meshes::sphere(8)),
                              meshes::with_degenerate_triangles(meshes::plane(12, 12)),
                              meshes::cut(meshes::sphere(8), [](glm::dvec3 p) { return p.z < 0.3; })};
@@ -299,7 +307,8 @@ TEST(Segmentation, OfAPlaneAsLaidOutHasNoFolds) {
         Mesh mesh = plane;
         meshes::add_usual_fields(mesh);
         for (const double bound : {0.01, 0.05, 0.3}) {
-            const Segmented segmented(mesh, {{"position", relative(0.01)}, {"*", relative(bound)}}, choosing(false, false));
+            const Segmented segmented(mesh, {{"position", relative(0.01)}, {"*", relative(bound)}},
+                                      choosing(false, false));
             ASSERT_LT(segmented.reduction().mesh.triangles.size(), mesh.triangles.size());
             EXPECT_EQ(segmented.segmentation().folded_pieces, 0U);
             EXPECT_EQ(segmented.segmentation().folded_original, 0);
@@ -338,7 +347,8 @@ TEST(Segmentation, OfPropagatedErrorsIsEmpty) {
 class Cutting : public testing::Test {
 protected:
     enum Triangle : std::uint32_t { A, B, C, D, E, F, G, H };
-    const std::vector<glm::uvec3> fan_ = {{0, 6, 1}, {0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {2, 1, 7}, {1, 6, 7}};
+    const std::vector<glm::uvec3> fan_ = {{0, 6, 1}, {0, 1, 2}, {0, 2, 3}, {0, 3, 4},
+                                          {0, 4, 5}, {0, 5, 6}, {2, 1, 7}, {1, 6, 7}};
 
     static constexpr std::uint32_t first_crossing = 100;
     void removed(std::uint32_t vertex, std::uint32_t triangle) {
@@ -420,10 +430,9 @@ TEST_F(Cutting, JoinsCrossingsAroundKeptCorners) {
     kept(12, 3); // … C
     crossing(4, {0, 2}, C, B);
     crossing(5, {1, 2}, B, G);
-    EXPECT_EQ(cut(), (Cells{{G, {10, 100, 105}},
-                            {A, {11, 102, 101}},
-                            {C, {12, 104, 103}},
-                            {B, {100, 101, 102, 103, 104, 105}}}));
+    EXPECT_EQ(
+        cut(),
+        (Cells{{G, {10, 100, 105}}, {A, {11, 102, 101}}, {C, {12, 104, 103}}, {B, {100, 101, 102, 103, 104, 105}}}));
 }
 
 TEST_F(Cutting, JoinsCrossingsToTheOppositeKeptCorner) {

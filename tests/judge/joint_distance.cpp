@@ -27,19 +27,19 @@ constexpr double rounding_unit = 2e-15;
 
 } // namespace
 
-JointDistance::JointDistance(std::vector<int> components_)
-    : components(std::move(components_)), quadratics(components.size()), weights(components.size()),
-      weight_steps(components.size()), slacks(components.size()), slack_steps(components.size()) {
-    for (int n : components) dimensions += n;
-    point.resize(static_cast<std::size_t>(dimensions));
+JointDistance::JointDistance(std::vector<int> components)
+    : components_(std::move(components)), quadratics_(components_.size()), weights_(components_.size()),
+      weight_steps_(components_.size()), slacks_(components_.size()), slack_steps_(components_.size()) {
+    for (int n : components_) dimensions_ += n;
+    point_.resize(static_cast<std::size_t>(dimensions_));
 }
 
 double JointDistance::between(const double* p, const double* q, std::size_t* dominant) const {
     double worst = 0;
     if (dominant) *dominant = 0;
-    for (std::size_t g = 0; g < components.size(); ++g) {
+    for (std::size_t g = 0; g < components_.size(); ++g) {
         double sum = 0;
-        for (int i = 0; i < components[g]; ++i, ++p, ++q) sum += (*p - *q) * (*p - *q);
+        for (int i = 0; i < components_[g]; ++i, ++p, ++q) sum += (*p - *q) * (*p - *q);
         if (sum <= worst) continue;
         worst = sum;
         if (dominant) *dominant = g;
@@ -53,12 +53,12 @@ double JointDistance::Quadratic::rounding(Offset p) const {
 
 void JointDistance::expand(const Triangle& t) const {
     int i = 0;
-    for (std::size_t g = 0; g < components.size(); ++g) {
+    for (std::size_t g = 0; g < components_.size(); ++g) {
         Quadratic sum;
-        for (const int end = i + components[g]; i < end; ++i) {
+        for (const int end = i + components_[g]; i < end; ++i) {
             const double along_u = t.b[i] - t.a[i];
             const double along_v = t.c[i] - t.a[i];
-            const double rest = t.a[i] - t.q[i] + base.u * along_u + base.v * along_v;
+            const double rest = t.a[i] - t.q[i] + base_.u * along_u + base_.v * along_v;
             sum.A += along_u * along_u;
             sum.B += along_u * along_v;
             sum.C += along_v * along_v;
@@ -66,20 +66,20 @@ void JointDistance::expand(const Triangle& t) const {
             sum.E += along_v * rest;
             sum.F += rest * rest;
         }
-        quadratics[g] = sum;
+        quadratics_[g] = sum;
     }
 }
 
 double JointDistance::largest(Offset place) const {
     double worst = 0;
-    for (const Quadratic& h : quadratics) worst = std::max(worst, h.at(place));
+    for (const Quadratic& h : quadratics_) worst = std::max(worst, h.at(place));
     return worst;
 }
 
 /// Distances from the edges u = 0, v = 0, u + v = 1, in (u, v).
 std::array<double, 3> JointDistance::edge_distances(Offset place) const {
-    const double u = base.u + place.u;
-    const double v = base.v + place.v;
+    const double u = base_.u + place.u;
+    const double v = base_.v + place.v;
     return {u, v, 1 - u - v};
 }
 
@@ -104,21 +104,21 @@ JointDistance::Offset JointDistance::lowest(const Quadratic& h) const {
     const auto lowest_between = [](double square, double slope, double low, double high) {
         return square > 0 ? std::clamp(-slope / square, low, high) : slope > 0 ? low : high;
     };
-    const double rest = 1 - base.u - base.v;
-    consider({-base.u, lowest_between(h.C, h.E - h.B * base.u, -base.v, 1 - base.v)});
-    consider({lowest_between(h.A, h.D - h.B * base.v, -base.u, 1 - base.u), -base.v});
-    const double on_w = lowest_between(h.A - 2 * h.B + h.C, (h.B - h.C) * rest + h.D - h.E, -base.u, 1 - base.u);
+    const double rest = 1 - base_.u - base_.v;
+    consider({-base_.u, lowest_between(h.C, h.E - h.B * base_.u, -base_.v, 1 - base_.v)});
+    consider({lowest_between(h.A, h.D - h.B * base_.v, -base_.u, 1 - base_.u), -base_.v});
+    const double on_w = lowest_between(h.A - 2 * h.B + h.C, (h.B - h.C) * rest + h.D - h.E, -base_.u, 1 - base_.u);
     consider({on_w, rest - on_w});
     return best;
 }
 
 /// Improves both bounds with the least-squares problem of the current weights.
 void JointDistance::bracket(Certified& best) const {
-    const double whole = std::accumulate(weights.begin(), weights.end(), 0.0);
+    const double whole = std::accumulate(weights_.begin(), weights_.end(), 0.0);
     Quadratic sum;
-    for (std::size_t g = 0; g < quadratics.size(); ++g) {
-        const Quadratic& h = quadratics[g];
-        const double share = weights[g] / whole;
+    for (std::size_t g = 0; g < quadratics_.size(); ++g) {
+        const Quadratic& h = quadratics_[g];
+        const double share = weights_[g] / whole;
         sum.A += share * h.A;
         sum.B += share * h.B;
         sum.C += share * h.C;
@@ -133,47 +133,47 @@ void JointDistance::bracket(Certified& best) const {
 }
 
 bool JointDistance::decided(const Certified& best) const {
-    if (best.upper <= enough_squared || best.lower > cutoff_squared) return true;
+    if (best.upper <= enough_squared_ || best.lower > cutoff_squared_) return true;
     const double upper = std::sqrt(best.upper);
     return upper - std::sqrt(std::max(0.0, best.lower)) <= accuracy * std::max(1.0, upper);
 }
 
 /// A strictly inner place with slacks and multipliers that balance each other.
 void JointDistance::start(Offset place) const {
-    const Offset centre{1.0 / 3 - base.u, 1.0 / 3 - base.v};
-    iterate.place = {place.u + start_inside * (centre.u - place.u), place.v + start_inside * (centre.v - place.v)};
-    iterate.level = start_height * largest(iterate.place);
+    const Offset centre{1.0 / 3 - base_.u, 1.0 / 3 - base_.v};
+    iterate_.place = {place.u + start_inside * (centre.u - place.u), place.v + start_inside * (centre.v - place.v)};
+    iterate_.level = start_height * largest(iterate_.place);
     double sum = 0;
-    for (std::size_t g = 0; g < quadratics.size(); ++g) {
-        slacks[g] = iterate.level - quadratics[g].at(iterate.place);
-        sum += 1 / slacks[g];
+    for (std::size_t g = 0; g < quadratics_.size(); ++g) {
+        slacks_[g] = iterate_.level - quadratics_[g].at(iterate_.place);
+        sum += 1 / slacks_[g];
     }
-    for (std::size_t g = 0; g < quadratics.size(); ++g) weights[g] = 1 / (sum * slacks[g]);
-    const auto distances = edge_distances(iterate.place);
-    for (int i = 0; i < 3; ++i) iterate.edges[i] = 1 / (sum * distances[i]);
+    for (std::size_t g = 0; g < quadratics_.size(); ++g) weights_[g] = 1 / (sum * slacks_[g]);
+    const auto distances = edge_distances(iterate_.place);
+    for (int i = 0; i < 3; ++i) iterate_.edges[i] = 1 / (sum * distances[i]);
 }
 
 /// The product that slacks and multipliers shall come to: a fraction of what they are now, in the mean.
 double JointDistance::barrier() const {
-    const auto distances = edge_distances(iterate.place);
+    const auto distances = edge_distances(iterate_.place);
     double gap = 0;
-    for (std::size_t g = 0; g < quadratics.size(); ++g) gap += weights[g] * slacks[g];
-    for (int i = 0; i < 3; ++i) gap += iterate.edges[i] * distances[i];
-    return centring * gap / static_cast<double>(quadratics.size() + 3);
+    for (std::size_t g = 0; g < quadratics_.size(); ++g) gap += weights_[g] * slacks_[g];
+    for (int i = 0; i < 3; ++i) gap += iterate_.edges[i] * distances[i];
+    return centring * gap / static_cast<double>(quadratics_.size() + 3);
 }
 
 /// The Newton step of place and level, the multipliers eliminated. False where rounding leaves no direction.
 bool JointDistance::newton(double product, Offset& step, double& rise) const {
     double uu = 0, uv = 0, vv = 0, right_u = 0, right_v = 0;   // the system in (u, v)
     double stiffness = 0, pull_u = 0, pull_v = 0, excess = -1; // its coupling to the level
-    for (std::size_t g = 0; g < quadratics.size(); ++g) {
-        const Quadratic& h = quadratics[g];
-        const Offset slope = h.slope(iterate.place);
-        const double stiff = weights[g] / slacks[g];
-        const double push = product / slacks[g] + stiff * (slacks[g] + h.at(iterate.place) - iterate.level);
-        uu += 2 * weights[g] * h.A + stiff * slope.u * slope.u;
-        uv += 2 * weights[g] * h.B + stiff * slope.u * slope.v;
-        vv += 2 * weights[g] * h.C + stiff * slope.v * slope.v;
+    for (std::size_t g = 0; g < quadratics_.size(); ++g) {
+        const Quadratic& h = quadratics_[g];
+        const Offset slope = h.slope(iterate_.place);
+        const double stiff = weights_[g] / slacks_[g];
+        const double push = product / slacks_[g] + stiff * (slacks_[g] + h.at(iterate_.place) - iterate_.level);
+        uu += 2 * weights_[g] * h.A + stiff * slope.u * slope.u;
+        uv += 2 * weights_[g] * h.B + stiff * slope.u * slope.v;
+        vv += 2 * weights_[g] * h.C + stiff * slope.v * slope.v;
         right_u -= push * slope.u;
         right_v -= push * slope.v;
         stiffness += stiff;
@@ -181,9 +181,9 @@ bool JointDistance::newton(double product, Offset& step, double& rise) const {
         pull_v += stiff * slope.v;
         excess += push;
     }
-    const auto distances = edge_distances(iterate.place);
+    const auto distances = edge_distances(iterate_.place);
     for (int i = 0; i < 3; ++i) {
-        const double stiff = iterate.edges[i] / distances[i];
+        const double stiff = iterate_.edges[i] / distances[i];
         uu += stiff * inward[i].u * inward[i].u;
         uv += stiff * inward[i].u * inward[i].v;
         vv += stiff * inward[i].v * inward[i].v;
@@ -212,42 +212,42 @@ bool JointDistance::advance() const {
     const auto keep_positive = [&length](double value, double change) {
         if (change < 0) length = std::min(length, -wall_distance * value / change);
     };
-    for (std::size_t g = 0; g < quadratics.size(); ++g) {
-        const Offset slope = quadratics[g].slope(iterate.place);
-        slack_steps[g] =
-            iterate.level + rise - slacks[g] - quadratics[g].at(iterate.place) - slope.u * step.u - slope.v * step.v;
-        weight_steps[g] = (product - weights[g] * slack_steps[g]) / slacks[g] - weights[g];
-        keep_positive(slacks[g], slack_steps[g]);
-        keep_positive(weights[g], weight_steps[g]);
+    for (std::size_t g = 0; g < quadratics_.size(); ++g) {
+        const Offset slope = quadratics_[g].slope(iterate_.place);
+        slack_steps_[g] = iterate_.level + rise - slacks_[g] - quadratics_[g].at(iterate_.place) - slope.u * step.u -
+                          slope.v * step.v;
+        weight_steps_[g] = (product - weights_[g] * slack_steps_[g]) / slacks_[g] - weights_[g];
+        keep_positive(slacks_[g], slack_steps_[g]);
+        keep_positive(weights_[g], weight_steps_[g]);
     }
-    const auto distances = edge_distances(iterate.place);
+    const auto distances = edge_distances(iterate_.place);
     std::array<double, 3> edge_steps{};
     for (int i = 0; i < 3; ++i) {
         const double approach = inward[i].u * step.u + inward[i].v * step.v;
-        edge_steps[i] = (product - iterate.edges[i] * approach) / distances[i] - iterate.edges[i];
+        edge_steps[i] = (product - iterate_.edges[i] * approach) / distances[i] - iterate_.edges[i];
         keep_positive(distances[i], approach);
-        keep_positive(iterate.edges[i], edge_steps[i]);
+        keep_positive(iterate_.edges[i], edge_steps[i]);
     }
     if (!(length > rounding_unit)) return false;
-    iterate.place = {iterate.place.u + length * step.u, iterate.place.v + length * step.v};
-    iterate.level += length * rise;
-    for (std::size_t g = 0; g < weights.size(); ++g) {
-        slacks[g] += length * slack_steps[g];
-        weights[g] += length * weight_steps[g];
+    iterate_.place = {iterate_.place.u + length * step.u, iterate_.place.v + length * step.v};
+    iterate_.level += length * rise;
+    for (std::size_t g = 0; g < weights_.size(); ++g) {
+        slacks_[g] += length * slack_steps_[g];
+        weights_[g] += length * weight_steps_[g];
     }
-    for (int i = 0; i < 3; ++i) iterate.edges[i] += length * edge_steps[i];
+    for (int i = 0; i < 3; ++i) iterate_.edges[i] += length * edge_steps[i];
     return true;
 }
 
 JointDistance::Certified JointDistance::minimax() const {
     Certified best{{}, infinite, 0};
-    std::fill(weights.begin(), weights.end(), 1.0 / static_cast<double>(weights.size()));
+    std::fill(weights_.begin(), weights_.end(), 1.0 / static_cast<double>(weights_.size()));
     bracket(best);
     if (decided(best)) return best;
     start(best.place);
     for (int i = 0; i < most_steps && advance(); ++i) {
-        const double upper = largest(iterate.place);
-        if (upper < best.upper) best = {iterate.place, upper, best.lower};
+        const double upper = largest(iterate_.place);
+        if (upper < best.upper) best = {iterate_.place, upper, best.lower};
         bracket(best);
         if (decided(best)) break;
     }
@@ -255,27 +255,27 @@ JointDistance::Certified JointDistance::minimax() const {
 }
 
 double JointDistance::attained(const Triangle& t, double u, double v) const {
-    for (int i = 0; i < dimensions; ++i) point[i] = t.a[i] + u * (t.b[i] - t.a[i]) + v * (t.c[i] - t.a[i]);
-    return between(t.q, point.data());
+    for (int i = 0; i < dimensions_; ++i) point_[i] = t.a[i] + u * (t.b[i] - t.a[i]) + v * (t.c[i] - t.a[i]);
+    return between(t.q, point_.data());
 }
 
 Nearest JointDistance::to_triangle(const double* q, const double* a, const double* b, const double* c, double enough,
                                    double cutoff) const {
     const Triangle triangle{q, a, b, c};
-    enough_squared = enough * enough;
-    cutoff_squared = cutoff * cutoff;
-    base = {1.0 / 3, 1.0 / 3};
-    Nearest nearest{infinite, base.u, base.v};
+    enough_squared_ = enough * enough;
+    cutoff_squared_ = cutoff * cutoff;
+    base_ = {1.0 / 3, 1.0 / 3};
+    Nearest nearest{infinite, base_.u, base_.v};
     for (int i = 0; i < most_expansions; ++i) {
         expand(triangle);
         const Certified found = minimax();
-        if (found.lower > cutoff_squared) return {infinite, base.u, base.v};
+        if (found.lower > cutoff_squared_) return {infinite, base_.u, base_.v};
         double rounding = 0;
-        for (const Quadratic& h : quadratics) rounding = std::max(rounding, h.rounding(found.place));
-        base.u = std::clamp(base.u + found.place.u, 0.0, 1.0);
-        base.v = std::clamp(base.v + found.place.v, 0.0, 1.0 - base.u);
-        const double distance = attained(triangle, base.u, base.v);
-        if (distance < nearest.distance) nearest = {distance, base.u, base.v};
+        for (const Quadratic& h : quadratics_) rounding = std::max(rounding, h.rounding(found.place));
+        base_.u = std::clamp(base_.u + found.place.u, 0.0, 1.0);
+        base_.v = std::clamp(base_.v + found.place.v, 0.0, 1.0 - base_.u);
+        const double distance = attained(triangle, base_.u, base_.v);
+        if (distance < nearest.distance) nearest = {distance, base_.u, base_.v};
         if (nearest.distance <= enough || rounding <= accuracy * std::max(accuracy, distance * distance)) break;
     }
     return nearest;

@@ -76,15 +76,15 @@ private:
     bool advance() const;
     double attained(const Triangle& triangle, double u, double v) const;
 
-    std::vector<int> components;
-    int dimensions = 0;
+    std::vector<int> components_;
+    int dimensions_ = 0;
 
     // Working space of one query, kept so that a query allocates nothing.
-    mutable Offset base{};
-    mutable double enough_squared = 0, cutoff_squared = infinite;
-    mutable std::vector<Quadratic> quadratics;
-    mutable Iterate iterate{};
-    mutable std::vector<double> weights, weight_steps, slacks, slack_steps, point;
+    mutable Offset base_{};
+    mutable double enough_squared_ = 0, cutoff_squared_ = infinite;
+    mutable std::vector<Quadratic> quadratics_;
+    mutable Iterate iterate_{};
+    mutable std::vector<double> weights_, weight_steps_, slacks_, slack_steps_, point_;
 };
 
 } // namespace judge

@@ -42,13 +42,13 @@ private:
     double box_distance(const double* q, std::uint32_t node) const;
     void try_triangle(const double* q, double enough, std::uint32_t triangle, Foot& foot) const;
 
-    const JointSurface& surface;
-    std::vector<int> components;
-    JointDistance metric;
-    std::vector<std::uint32_t> order;
-    std::vector<Node> nodes;
-    std::vector<double> boxes; ///< a node's lowest, then its highest corner
-    mutable std::vector<Pending> pending;
+    const JointSurface& surface_;
+    std::vector<int> components_;
+    JointDistance metric_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+    std::vector<double> boxes_; ///< a node's lowest, then its highest corner
+    mutable std::vector<Pending> pending_;
 };
 
 } // namespace judge

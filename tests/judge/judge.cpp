@@ -15,50 +15,49 @@ constexpr double negligible = 1e-6;
 
 class Search {
 public:
-    Search(const JointSurface& from_, const JointSurface& to, const JointSpace& space_)
-        : from(from_), space(space_), tree(to, space), surface(to), metric(space.components),
-          point(static_cast<std::size_t>(space.dimensions())), foot_point(point.size()) {}
+    Search(const JointSurface& from, const JointSurface& to, const JointSpace& space)
+        : from_(from), to_(to), space_(space), tree_(to, space), metric_(space.components),
+          point_(static_cast<std::size_t>(space.dimensions())), foot_point_(point_.size()) {}
 
     Deviation farthest(std::size_t samples) {
-        sample_surface(from, samples, [this](const Sample& sample) { look_at(sample); });
-        return worst;
+        sample_surface(from_, samples, [this](const Sample& sample) { look_at(sample); });
+        return worst_;
     }
 
 private:
     /// A sample matters only if it is farther than the worst so far: the search ends with the first point within that.
     void look_at(const Sample& sample) {
-        ++worst.samples;
-        place(from, sample.triangle, sample.barycentric, point);
-        const double enough = std::max(worst.ratio, negligible);
-        const Foot foot = tree.nearest(point.data(), enough, last);
-        last = foot.triangle;
+        ++worst_.samples;
+        place(from_, sample.triangle, sample.barycentric, point_);
+        const double enough = std::max(worst_.ratio, negligible);
+        const Foot foot = tree_.nearest(point_.data(), enough, last_);
+        last_ = foot.triangle;
         if (foot.nearest.distance <= enough) return;
-        worst.ratio = foot.nearest.distance;
-        worst.triangle = sample.triangle;
-        worst.barycentric = sample.barycentric;
+        worst_.ratio = foot.nearest.distance;
+        worst_.triangle = sample.triangle;
+        worst_.barycentric = sample.barycentric;
         const auto [distance, u, v] = foot.nearest;
-        place(surface, foot.triangle, {1 - u - v, u, v}, foot_point);
+        place(to_, foot.triangle, {1 - u - v, u, v}, foot_point_);
         std::size_t dominant = 0;
-        metric.between(point.data(), foot_point.data(), &dominant);
-        worst.variable = space.variables[dominant];
+        metric_.between(point_.data(), foot_point_.data(), &dominant);
+        worst_.variable = space_.variables[dominant];
     }
 
-    static void place(const JointSurface& of, std::uint32_t triangle, const std::array<double, 3>& barycentric,
+    static void place(const JointSurface& surface, std::uint32_t triangle, const std::array<double, 3>& barycentric,
                       std::vector<double>& point) {
-        const auto& t = of.triangles[triangle];
+        const auto& [a, b, c] = surface.triangles[triangle];
         for (std::size_t k = 0; k < point.size(); ++k)
-            point[k] =
-                barycentric[0] * of.row(t[0])[k] + barycentric[1] * of.row(t[1])[k] + barycentric[2] * of.row(t[2])[k];
+            point[k] = barycentric[0] * surface.row(a)[k] + barycentric[1] * surface.row(b)[k] +
+                       barycentric[2] * surface.row(c)[k];
     }
 
-    const JointSurface& from;
-    const JointSpace& space;
-    JointTree tree;
-    const JointSurface& surface;
-    JointDistance metric;
-    std::vector<double> point, foot_point;
-    Deviation worst;
-    std::uint32_t last = 0; ///< neighbouring samples mostly end on the same triangle
+    const JointSurface &from_, &to_;
+    const JointSpace& space_;
+    JointTree tree_;
+    JointDistance metric_;
+    std::vector<double> point_, foot_point_;
+    Deviation worst_;
+    std::uint32_t last_ = 0; ///< neighbouring samples mostly end on the same triangle
 };
 
 Deviation farthest(const meshbound::Mesh& mesh, const JointSurface& from, const JointSurface& to,

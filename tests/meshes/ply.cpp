@@ -43,7 +43,7 @@ Header read_header(std::ifstream& file, const std::string& path) {
         }
         if (word != "property" || element != "vertex") continue;
         if (!is_number_type(type) || (!header.type.empty() && type != header.type))
-            fail(path, "a vertex property " + name + " of type " + type);
+            fail(path, "not a property in one of two precisions: " + name);
         header.type = type;
         header.names.push_back(name);
     }

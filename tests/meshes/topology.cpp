@@ -31,19 +31,19 @@ std::map<Edge, std::size_t> directed_edges(const std::vector<glm::uvec3>& triang
 
 class Groups {
 public:
-    void join(std::uint32_t a, std::uint32_t b) { parent[root(a)] = root(b); }
+    void join(std::uint32_t a, std::uint32_t b) { parent_[root(a)] = root(b); }
     std::size_t count() {
         std::set<std::uint32_t> roots;
-        for (const auto& [vertex, up] : std::map(parent)) roots.insert(root(vertex));
+        for (const auto& [vertex, up] : std::map(parent_)) roots.insert(root(vertex));
         return roots.size();
     }
 
 private:
     std::uint32_t root(std::uint32_t v) {
-        while (parent.try_emplace(v, v).first->second != v) v = parent[v] = parent[parent[v]];
+        while (parent_.try_emplace(v, v).first->second != v) v = parent_[v] = parent_[parent_[v]];
         return v;
     }
-    std::map<std::uint32_t, std::uint32_t> parent;
+    std::map<std::uint32_t, std::uint32_t> parent_;
 };
 
 } // namespace
