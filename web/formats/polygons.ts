@@ -14,7 +14,7 @@ type Position = Float32Array | Float64Array;
 type Vector = [number, number, number];
 
 /** Ear clipping is quadratic on hostile outlines; an honest face of a mesh has not nearly so many corners. */
-const mostConcaveCorners = 10_000;
+const mostConcaveCorners = 2_000;
 
 /**
  * Triangles in place of polygons, in their order and orientation; `split` counts the polygons that had more than three
