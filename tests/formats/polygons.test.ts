@@ -6,7 +6,7 @@ function comb(corners: number) {
   const position = Float64Array.from({ length: 3 * corners }, (_, i) => {
     const corner = Math.floor(i / 3);
     const last = corner === corners - 1;
-    return [last ? corners / 2 : corner, last ? 5 : (corner % 2) + (corner / corners) ** 2, 0][i % 3];
+    return [last ? corners / 2 : corner, last ? 100 * corners : (corner % 2) + (corner / corners) ** 2, 0][i % 3];
   });
   return {
     position,
