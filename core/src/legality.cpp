@@ -56,8 +56,11 @@ bool Legality::enter(const Surface& surface, const Rows& rows, const Hole& hole)
 bool Legality::removable(const Surface& surface, const Hole& hole) const {
     if (hole.size() < 3 || hole.size() > largest_ring) return false;
     if (hole.size() > 3 || hole.open) return true;
-    const std::uint32_t across = surface.twin(hole.rims[0]); // a ring of three: does its triangle exist on the other side?
-    return across == no_index || surface.target(Surface::next(across)) != hole.ring[2];
+    for (int rim = 0; rim < 3; ++rim) { // a ring of three: does its triangle exist on the other side?
+        const std::uint32_t across = surface.twin(hole.rims[at(rim)]);
+        if (across != no_index && surface.target(Surface::next(across)) == hole.ring[at((rim + 2) % 3)]) return false;
+    }
+    return true;
 }
 
 /// Ring vertices joined by an edge that is neither rim nor spoke: found by walking around each of them.

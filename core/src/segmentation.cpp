@@ -69,7 +69,7 @@ void cut_into_pieces(const Mesh& original, const Reduction& reduction, Segmentat
             places.push_back({place_in_original(original, reduction, cell, corners[i]),
                               place_in_reduced(reduction, cell, corners[i])});
         const std::size_t folded_before = segmentation.folded_pieces;
-        triangulation.visit(places, [&](std::size_t i, std::size_t j, std::size_t k) {
+        triangulation.for_each_piece(places, [&](std::size_t i, std::size_t j, std::size_t k) {
             segmentation.pieces.push_back({corners[i], corners[j], corners[k]});
             const PieceShares shares = piece_shares(places[i], places[j], places[k]);
             if (!shares.folded()) return;

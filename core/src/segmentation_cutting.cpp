@@ -32,8 +32,10 @@ void CellCutter::collect_chains() {
     std::size_t passed = 0; // kept corners
     for (std::size_t n = 0; n < outline_->size(); ++n) {
         const Step step = (first + n) % outline_->size();
-        if ((*outline_)[step].is_kept()) ++passed;
-        else if ((*outline_)[step].is_crossing()) chains_[passed > 0 ? passed - 1 : 0].push_back(step);
+        if ((*outline_)[step].is_kept())
+            ++passed;
+        else if ((*outline_)[step].is_crossing())
+            chains_[passed > 0 ? passed - 1 : 0].push_back(step);
     }
 }
 
@@ -43,7 +45,8 @@ void CellCutter::join_returns(std::vector<Step>& chain) {
     for (const Step step : chain) {
         if (remaining > 0 && (*outline_)[chain[remaining - 1]].crossed == (*outline_)[step].crossed)
             cut_off(chain[--remaining], step);
-        else chain[remaining++] = step;
+        else
+            chain[remaining++] = step;
     }
     chain.resize(remaining);
 }
@@ -63,8 +66,8 @@ void CellCutter::join_to_ends(std::size_t i) {
     for (; !chain.empty() && ends_at(chain.back(), end); chain.pop_back()) cut_off(chain.back(), end);
 }
 
-/// Joins crossings of two chains around the kept corner between them, from that corner outward. As many as must be, if all
-/// of the two chains and the third are joined with each other, or those left in one chain with the opposite corner.
+/// Joins crossings of two chains around the kept corner between them, from that corner outward. As many as must be, if
+/// all of the two chains and the third are joined with each other, or those left in one chain with the opposite corner.
 void CellCutter::join_around_corners() {
     std::array<std::ptrdiff_t, 3> length{}, around{};
     for (std::size_t i = 0; i < 3; ++i) length[i] = static_cast<std::ptrdiff_t>(chains_[i].size());
@@ -112,7 +115,8 @@ void CellCutter::close() {
     add_cell(left_, left_, last);
 }
 
-/// The reduced triangle in which a run lies, all around if its ends are one; nowhere if nothing but kept vertices are in it.
+/// The reduced triangle in which a run lies, all around if its ends are one; nowhere if nothing but kept vertices are
+/// in it.
 std::uint32_t CellCutter::triangle_of_run(Step from, Step to) const {
     Step step = from;
     do {
@@ -144,8 +148,10 @@ void CellCutter::add_cell(Step from, Step to, std::uint32_t reduced) {
     } while (step != to);
     if (from != to) out_->corners.push_back((*outline_)[to].corner);
     cell.corner_count = static_cast<std::uint32_t>(out_->corners.size()) - cell.first_corner;
-    if (cell.corner_count < 3) out_->corners.resize(cell.first_corner);
-    else out_->cells.push_back(cell);
+    if (cell.corner_count < 3)
+        out_->corners.resize(cell.first_corner);
+    else
+        out_->cells.push_back(cell);
 }
 
 } // namespace meshbound

@@ -11,8 +11,8 @@
 namespace meshbound {
 
 /// Cuts an original triangle into cells, from its outline alone. The chords that cut it are the preimage of the reduced
-/// edges: each joins two crossings of one reduced edge, or a crossing and a kept corner or two kept corners that are ends of
-/// it. No two of them meet inside. Each cut takes one cell off, and its chord becomes a part of the outline.
+/// edges: each joins two crossings of one reduced edge, or a crossing and a kept corner or two kept corners that are
+/// ends of it. No two of them meet inside. Each cut takes one cell off, and its chord becomes a part of the outline.
 ///
 ///           C            A is kept, B and C are removed.
 ///          / \           1 and 2 cross one reduced edge: the cut 1 … 2 takes off the cell (1, B, 2).
@@ -20,9 +20,10 @@ namespace meshbound {
 ///        /     2         What is left, (A, 1, 2, 3), is the last cell.
 ///       A---1---B
 ///
-/// Which steps to join follows from the outline's filling being a disk: where the outline returns over the edge that it has
-/// just crossed, these two; then all crossings next to a kept corner of edges that end there; and then the chords that are
-/// left run from side to side or to the opposite corner, so that their numbers follow from those of the three sides.
+/// Which steps to join follows from the outline's filling being a disk: where the outline returns over the edge that it
+/// has just crossed, these two; then all crossings next to a kept corner of edges that end there; and then the chords
+/// that are left run from side to side or to the opposite corner, so that their numbers follow from those of the three
+/// sides.
 class CellCutter {
 public:
     explicit CellCutter(const Faces& reduced_faces) : faces_(&reduced_faces) {}
@@ -50,11 +51,11 @@ private:
     std::uint32_t triangle_ = 0;
     Outline* outline_ = nullptr;
     Segmentation* out_ = nullptr;
-    std::vector<Step> next_;                  // what is left of the outline
-    Step left_ = 0;                           // one step of it
-    std::vector<Step> kept_;                  // the kept corners in their order
-    std::array<std::vector<Step>, 3> chains_; // the crossings not yet joined from each kept corner to the next; all in the
-                                              // first where no corner is kept
+    std::vector<Step> next_; // what is left of the outline
+    Step left_ = 0;          // one step of it
+    std::vector<Step> kept_; // the kept corners in their order
+    /// The crossings not yet joined from each kept corner to the next; all in the first where no corner is kept.
+    std::array<std::vector<Step>, 3> chains_;
 };
 
 } // namespace meshbound

@@ -16,8 +16,7 @@ bool has_corner(const glm::uvec3& triangle, std::uint32_t vertex) {
 Faces::Faces(const std::vector<glm::uvec3>& triangles) : triangles_(&triangles) {
     half_edges_.reserve(3 * triangles.size());
     for (std::uint32_t n = 0; n < triangles.size(); ++n)
-        for (int i = 0; i < 3; ++i)
-            half_edges_.emplace_back(half_edge(triangles[n][i], triangles[n][(i + 1) % 3]), n);
+        for (int i = 0; i < 3; ++i) half_edges_.emplace_back(half_edge(triangles[n][i], triangles[n][(i + 1) % 3]), n);
     std::sort(half_edges_.begin(), half_edges_.end());
 }
 

@@ -10,14 +10,16 @@ std::uint64_t edge_key(std::uint32_t lower, std::uint32_t upper) { return std::u
 } // namespace
 
 Outlines::Outlines(const Mesh& original, const Reduction& reduction, const Faces& reduced_faces)
-    : original_(&original), map_(&reduction.map), faces_(&reduced_faces), kept_as_(reduction.map.places.size(), nowhere) {
+    : original_(&original), map_(&reduction.map), faces_(&reduced_faces),
+      kept_as_(reduction.map.places.size(), nowhere) {
     for (std::uint32_t v = 0; v < reduction.vertices.size(); ++v) kept_as_[reduction.vertices[v]] = v;
     crossings_.reserve(map_->crossings.size());
     for (std::uint32_t n = 0; n < map_->crossings.size(); ++n) {
         const glm::uvec2 edge = map_->crossings[n].original;
         crossings_.emplace_back(edge_key(edge.x, edge.y), n);
     }
-    std::sort(crossings_.begin(), crossings_.end()); // the order of the map, in which s rises, is the order along an edge
+    // By edge, and along an edge as in the map: with s rising, and in their order where it does not.
+    std::sort(crossings_.begin(), crossings_.end());
 }
 
 void Outlines::trace(std::uint32_t triangle, Outline& outline) const {

@@ -11,14 +11,15 @@
 
 namespace meshbound {
 
-/// A step on the way of an original triangle's outline through the reduced surface: the triangle's corner, at a removed or a
-/// kept vertex, or a crossing with a reduced edge. Between two steps the way lies in one reduced triangle.
+/// A step on the way of an original triangle's outline through the reduced surface: the triangle's corner, at a removed
+/// or a kept vertex, or a crossing with a reduced edge. Between two steps the way lies in one reduced triangle.
 struct OutlineStep {
-    std::uint32_t corner = 0;         ///< by its name in Segmentation::corners
-    std::uint32_t kept = nowhere;     ///< of a kept vertex: the vertex of the reduced mesh
-    glm::uvec2 crossed{nowhere};      ///< of a crossing: the reduced edge
-    std::uint32_t before = nowhere;   ///< the reduced triangle that it comes from, and the one it goes to; both are nowhere
-    std::uint32_t after = nowhere;    ///< at a kept vertex, around which the way may turn
+    std::uint32_t corner = 0;     ///< by its name in Segmentation::corners
+    std::uint32_t kept = nowhere; ///< of a kept vertex: the vertex of the reduced mesh
+    glm::uvec2 crossed{nowhere};  ///< of a crossing: the reduced edge
+    /// The reduced triangle that it comes from and the one it goes to; nowhere at a kept vertex, where the way may
+    /// turn.
+    std::uint32_t before = nowhere, after = nowhere;
 
     bool is_kept() const { return kept != nowhere; }
     bool is_crossing() const { return crossed.x != nowhere; }
@@ -40,8 +41,8 @@ private:
     const Mesh* original_;
     const SurfaceMap* map_;
     const Faces* faces_;
-    std::vector<std::uint32_t> kept_as_;                             // by original vertex: the reduced vertex, or nowhere
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> crossings_; // sorted: original edge, place in the map's crossings
+    std::vector<std::uint32_t> kept_as_;                             // by original vertex: the reduced one, or nowhere
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> crossings_; // sorted: original edge, index of the crossing
 };
 
 } // namespace meshbound

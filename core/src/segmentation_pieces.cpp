@@ -14,7 +14,8 @@ bool PieceShares::opening() const { return original <= flat_share && std::abs(re
 
 PieceShares piece_shares(const CellPlace& a, const CellPlace& b, const CellPlace& c) {
     // The determinant of barycentric coordinates; of three places on one edge it is exactly zero.
-    return {glm::dot(a.original, glm::cross(b.original, c.original)), glm::dot(a.reduced, glm::cross(b.reduced, c.reduced))};
+    return {glm::dot(a.original, glm::cross(b.original, c.original)),
+            glm::dot(a.reduced, glm::cross(b.reduced, c.reduced))};
 }
 
 void CellTriangulation::solve(const std::vector<CellPlace>& corners) {

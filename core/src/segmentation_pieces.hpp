@@ -24,12 +24,13 @@ struct PieceShares {
 
 PieceShares piece_shares(const CellPlace& a, const CellPlace& b, const CellPlace& c);
 
-/// Triangulates cells. Of all triangulations of the polygon it takes one with the fewest pieces that are folded or opening,
-/// and among these one with the least folded area. By dynamic programming over the polygon's diagonals.
+/// Triangulates cells. Of all triangulations of the polygon it takes one with the fewest pieces that are folded or
+/// opening, and among these one with the least folded area. By dynamic programming over the polygon's diagonals.
 class CellTriangulation {
 public:
-    /// Puts `visit(i, j, k)` for every piece, with the indices of its corners in the cell, counter-clockwise.
-    template <class Visit> void visit(const std::vector<CellPlace>& corners, const Visit& visit) {
+    /// Calls `visit(i, j, k)` for every piece, with the indices of its corners in the cell, counter-clockwise.
+    template <class Visit>
+    void for_each_piece(const std::vector<CellPlace>& corners, const Visit& visit) {
         if (corners.size() == 3) {
             visit(0, 1, 2);
             return;

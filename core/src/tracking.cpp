@@ -77,9 +77,10 @@ bool Tracking::settle_vertices(const Retriangulation& retriangulation, double sq
         if (inner.host != InnerVertex::Host::rim) {
             const double* row = measured_rows_[inner.vertex];
             double error = joints_[at(settlement.triangle)].squared_ratio(measured_rows_, row, settlement.weight);
-            if (options_.choose_places && inner.host == InnerVertex::Host::triangle &&
-                error > content_with * content_with * squared_limit)
-                choose_place(row, settlement, error);
+            if (options_.choose_places && error > content_with * content_with * squared_limit) {
+                if (inner.host == InnerVertex::Host::triangle) choose_place(row, settlement, error);
+                else choose_share(row, settlement, error);
+            }
             const JointTriangle& joint = joints_[at(settlement.triangle)];
             const glm::dvec3& w = settlement.weight;
             if (!record(error, MeasuredRows::blend_difference(row, joint.a(), joint.b(), joint.c(), w.x, w.y, w.z),
@@ -120,6 +121,17 @@ void Tracking::choose_place(const double* row, Settlement& settlement, double& e
         error = here;
         settlement = {static_cast<int>(n), weight};
     }
+}
+
+/// The same on the closing edge, which is the root's edge from a to c.
+void Tracking::choose_share(const double* row, Settlement& settlement, double& error) const {
+    const JointTriangle& root = joints_.front();
+    const double share = nearest_parameters(measured_rows_, {row, row}, 0, 0, {root.a(), root.c()}).y;
+    const glm::dvec3 weight(1 - share, 0, share);
+    const double here = root.squared_ratio(measured_rows_, row, weight);
+    if (!(here < error)) return;
+    error = here;
+    settlement.weight = weight;
 }
 
 bool Tracking::lay_pieces(const Retriangulation& retriangulation, double squared_limit) {
@@ -245,7 +257,7 @@ void Tracking::commit(const Retriangulation& retriangulation) {
             residents_.settle_in_triangle(inner.vertex, triangle.slot, settlements_[i].weight);
         } else if (inner.host == InnerVertex::Host::closing) {
             const bool canonical = hole_->ring.front() < hole_->ring.back();
-            residents_.settle_on_edge(inner.vertex, triangle.edge, canonical ? inner.share : 1 - inner.share);
+            residents_.settle_on_edge(inner.vertex, triangle.edge, canonical ? settlements_[i].weight.z : 1 - settlements_[i].weight.z);
         }
     }
     for (std::size_t p = 0; p < content_.pieces().size(); ++p) {

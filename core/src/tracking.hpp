@@ -56,6 +56,7 @@ private:
     bool settle_vertices(const Retriangulation& retriangulation, double squared_limit);
     Settlement locate(const Retriangulation& retriangulation, const InnerVertex& inner) const;
     void choose_place(const double* row, Settlement& settlement, double& error) const;
+    void choose_share(const double* row, Settlement& settlement, double& error) const;
     bool lay_pieces(const Retriangulation& retriangulation, double squared_limit);
     bool lay_piece(const Retriangulation& retriangulation, const Piece& piece, double squared_limit);
     void cross_straight(const Retriangulation& retriangulation, const Piece& piece, std::size_t first);

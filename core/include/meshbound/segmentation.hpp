@@ -11,8 +11,9 @@
 
 namespace meshbound {
 
-/// A connected part of one original triangle that lands in one reduced triangle. Its corners run counter-clockwise in the
-/// original triangle, where it is convex; its pieces, corner_count - 2 of them, triangulate it without further corners.
+/// A connected part of one original triangle that lands in one reduced triangle. Its corners run counter-clockwise in
+/// the original triangle, where it is convex; its pieces, corner_count - 2 of them, triangulate it without further
+/// corners.
 struct SegmentationCell {
     std::uint32_t original = 0;     ///< the triangle of the original mesh that it is a part of
     std::uint32_t reduced = 0;      ///< the triangle of the reduced mesh that it lands in
@@ -21,25 +22,27 @@ struct SegmentationCell {
     std::uint32_t first_piece = 0;  ///< its pieces are Segmentation::pieces[first_piece …]
 };
 
-/// The mutual segmentation of the original and the reduced surface (figure 5): on every piece all variables, position among
-/// them, are linear on both surfaces. What is interpolated between levels of detail (§4).
+/// The mutual segmentation of the original and the reduced surface (figure 5): on every piece all variables, position
+/// among them, are linear on both surfaces. What is interpolated between levels of detail (§4).
 ///
 /// A corner is named by one number: below V = vertex_count(original) it is that vertex of the original, at its place
-/// `reduction.map.places[corner]`; from there on it is `reduction.map.crossings[corner - V]`. So a corner has one place on
-/// the original and one on the reduced surface, whatever cell one sees it from: neighbouring cells leave no crack.
+/// `reduction.map.places[corner]`; from there on it is `reduction.map.crossings[corner - V]`. So a corner has one place
+/// on the original and one on the reduced surface, whatever cell one sees it from: neighbouring cells leave no crack.
 ///
 ///     original triangles {0,1,2}, {0,2,3} of a square; 2 crosses nothing, 0-2 crosses the reduced diagonal 1-3 once:
 ///     V = 4, crossing 0 is corner 4;  cells (0,1,4), (1,2,4) of the one, (0,4,3), (4,2,3) of the other.
 ///
-/// Cells without area on the original occur where an original edge crosses the same reduced edges to and fro: they open on
-/// the way to the reduced surface, and keep it free of holes.
+/// Cells and pieces without area on the original occur where an original edge crosses the same reduced edges to and fro,
+/// and where several crossings share one place of it: they open on the way to the reduced surface and keep it free of
+/// holes. All pieces together are a surface of the original's topology, whose edges are shared by their two corners.
 struct Segmentation {
     std::vector<SegmentationCell> cells; ///< in the order of the original triangles
     std::vector<std::uint32_t> corners;  ///< cell by cell
     std::vector<glm::uvec3> pieces;      ///< three corners (by the same names) each, cell by cell
 
-    /// Folds: where the map turns the surface over. A piece is folded when its image in the reduced triangle runs clockwise;
-    /// a cell when any of its pieces is, in the triangulation that folds the least. The promise holds with or without folds.
+    /// Folds: where the map turns the surface over. A piece is folded when its image in the reduced triangle runs
+    /// clockwise; a cell when any of its pieces is, in the triangulation that folds the least. The promise holds with
+    /// or without folds.
     std::size_t folded_cells = 0, folded_pieces = 0;
     double folded_original = 0; ///< the folded pieces' share of the original's area, 0…1
     double folded_reduced = 0;  ///< the area of their images, as a share of the reduced surface's; may exceed 1
@@ -48,8 +51,8 @@ struct Segmentation {
 /// Below this share of its triangle's area a piece is flat: rounding decides on which side of it is up.
 inline constexpr double flat_share = 1e-12;
 
-/// Segments both surfaces by the map of `reduction`, the outcome of reducing `original` with tracked errors. Of any other
-/// reduction, which has no map, the segmentation is empty. Throws std::bad_alloc where memory runs out.
+/// Segments both surfaces by the map of `reduction`, the outcome of reducing `original` with tracked errors. Of any
+/// other reduction, which has no map, the segmentation is empty. Throws std::bad_alloc where memory runs out.
 void segment(const Mesh& original, const Reduction& reduction, Segmentation& segmentation);
 
 /// Barycentric coordinates of a corner of the cell in the cell's original triangle.
