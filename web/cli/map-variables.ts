@@ -28,7 +28,8 @@ export function requireMapNames({ path, mesh }: { path: string; mesh: Mesh }): v
  * - `reduced_triangle`: the triangle of the reduced surface in which it lies, counted from 0; −1 where no triangle uses it;
  * - `reduced_barycentric`: its three barycentric coordinates in that triangle;
  * - `NAME_error`: the error of each variable, `position` among them, in its unit;
- * - `NAME_signed_error`: original minus reduced, of scalars; of `position` the distance along the normal, positive outside.
+ * - `NAME_signed_error`: original minus reduced, of scalars; of `position` the distance along the normal,
+ *   positive where the reduced surface lies outside.
  */
 export function withMap(original: Mesh, { map, vertexErrors }: Reduction): Mesh {
   if (!map || !vertexErrors) throw new Error('The reduction gave no map.');

@@ -1,5 +1,6 @@
 import type { Mesh, Variable } from '../../wasm/index.ts';
 import { judgeAccuracy, loadJudge } from '../../wasm/judge-module.ts';
+import { counted } from '../formats/wording.ts';
 import { scaleOf, spanOf } from '../surface/value-span.ts';
 import { parseArguments } from './arguments.ts';
 import { type Bounds, boundOf, parseBounds, requireKnownBounds, unnamed } from './bound-arguments.ts';
@@ -77,14 +78,16 @@ function positionOf({ position }: Mesh): Variable {
 function requireFinite(path: string, variable: Variable): void {
   const { nan, infinite } = spanOf(variable);
   if (nan + infinite > 0)
-    throw new Fault(`${path}: “${variable.name}” holds ${nan + infinite} values that are not finite.`);
+    throw new Fault(
+      `${path}: “${variable.name}” holds ${counted(nan + infinite, 'value')} that ${nan + infinite === 1 ? 'is' : 'are'} not finite.`,
+    );
 }
 
 function requireSameComponents(original: Mesh, { path }: OpenedSurface, reduced: Mesh): void {
   for (const [i, { name, components }] of reduced.variables.entries()) {
     const wanted = original.variables[i].components;
     if (components !== wanted)
-      throw new Fault(`${path}: “${name}” has ${components} components, the original's ${wanted}.`);
+      throw new Fault(`${path}: “${name}” has ${counted(components, 'component')}, that of the original ${wanted}.`);
   }
 }
 

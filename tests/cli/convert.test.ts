@@ -1,0 +1,39 @@
+import { readFileSync } from 'node:fs';
+import { gunzipSync } from 'node:zlib';
+import { beforeAll, expect, test } from 'vitest';
+import { Folder } from './command.ts';
+import { engine } from './engine.ts';
+
+const folder = new Folder();
+const mesh = engine(4);
+
+beforeAll(() => folder.save('engine.vtp', mesh));
+
+test.each(['vtk', 'ply', 'vtp'])('to .%s keeps every number, name and precision', async (ending) => {
+  const outcome = await folder.run('convert', 'engine.vtp', `out.${ending}`);
+  expect(outcome).toEqual({ status: 0, signal: null, stdout: '', stderr: '' });
+  const { format, mesh: there } = await folder.read(`out.${ending}`);
+  expect(format).toBe(ending);
+  expect(there).toEqual(mesh);
+});
+
+test('.gz behind an ending packs the file', async () => {
+  await folder.run('convert', 'engine.vtp', 'out.vtk');
+  await folder.run('convert', 'engine.vtp', 'out.vtk.gz');
+  expect(gunzipSync(readFileSync(folder.at('out.vtk.gz')))).toEqual(readFileSync(folder.at('out.vtk')));
+  const back = await folder.run('convert', 'out.vtk.gz', 'back.vtp');
+  expect(back).toMatchObject({ status: 0 });
+  expect((await folder.read('back.vtp')).mesh).toEqual(mesh);
+});
+
+test('what the format does not hold is said, unless --quiet', async () => {
+  const { stderr } = await folder.run('convert', 'engine.vtp', 'out.stl');
+  expect(stderr).toContain('out.stl: STL has no place for the variables “pressure”, “velocity”, “temperature”');
+  expect(await folder.run('convert', '--quiet', 'engine.vtp', 'out.stl')).toMatchObject({ status: 0, stderr: '' });
+});
+
+test('onto itself is a file like any other', async () => {
+  folder.write('self.vtp', readFileSync(folder.at('engine.vtp')));
+  expect(await folder.run('convert', 'self.vtp', 'self.vtp')).toMatchObject({ status: 0 });
+  expect((await folder.read('self.vtp')).mesh).toEqual(mesh);
+});

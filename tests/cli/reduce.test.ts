@@ -1,0 +1,206 @@
+import { beforeAll, describe, expect, test } from 'vitest';
+import type { Mesh } from '../../wasm/types.ts';
+import { Folder } from './command.ts';
+import { engine } from './engine.ts';
+
+const folder = new Folder();
+const original = engine();
+
+beforeAll(() => folder.save('engine.vtp', original));
+
+const all = ['-b', 'position=1%', '-b', '*=3%'];
+
+/** Reduces the engine to out.vtp, and reads the report. */
+async function reduce(...args: string[]) {
+  const outcome = await folder.run('reduce', 'engine.vtp', '-o', 'out.vtp', '--report', 'report.json', ...args);
+  expect(outcome.stderr).not.toContain('meshbound:');
+  expect(outcome.status).toBe(0);
+  return { ...outcome, report: JSON.parse(folder.text('report.json')) };
+}
+
+type VariableOfReport = {
+  name: string;
+  components: number;
+  extent: number;
+  bound: number | null;
+  error: number;
+  ratio: number;
+};
+
+function boundsIn({ variables }: { variables: VariableOfReport[] }) {
+  return Object.fromEntries(variables.map(({ name, bound }) => [name, bound]));
+}
+
+/** Position and values of each vertex as one text, so that they can be compared bit for bit in any order. */
+function vertices({ position, variables }: Mesh): Set<string> {
+  const arrays = [{ components: 3, values: position }, ...variables];
+  const row = (vertex: number) =>
+    arrays.flatMap(({ components, values }) => [...values.slice(vertex * components, (vertex + 1) * components)]);
+  return new Set(Array.from({ length: position.length / 3 }, (_, vertex) => row(vertex).join(' ')));
+}
+
+/** Name, components and precision of each variable. */
+function kinds({ variables }: Mesh) {
+  return variables.map(({ name, components, values }) => [name, components, values.constructor]);
+}
+
+test('writes fewer triangles, whose vertices are the original’s with their values, and says so', async () => {
+  const { stdout, stderr } = await reduce(...all);
+  const { mesh } = await folder.read('out.vtp');
+  expect(mesh.triangles.length).toBeLessThan(original.triangles.length / 2);
+  expect(kinds(mesh)).toEqual(kinds(original));
+  const known = vertices(original);
+  expect([...vertices(mesh)].filter((vertex) => !known.has(vertex))).toEqual([]);
+  expect(stdout).toContain(`512 -> ${mesh.triangles.length / 3} triangles`);
+  expect(stderr).toBe('');
+});
+
+test('the report has the documented shape', async () => {
+  const { report } = await reduce(...all, '-b', 'temperature=free');
+  const variable = (name: string, components: number, bound: unknown, ratio: unknown) => {
+    const [extent, error, constant] = [expect.any(Number), expect.any(Number), false];
+    return { name, components, extent, constant, bound, error, ratio };
+  };
+  const number = expect.any(Number);
+  expect(report).toEqual({
+    triangles: { before: 512, after: (await folder.read('out.vtp')).mesh.triangles.length / 3 },
+    variables: [
+      variable('position', 3, number, number),
+      variable('pressure', 1, number, number),
+      variable('velocity', 3, number, number),
+      variable('temperature', 1, null, null),
+    ],
+    seconds: number,
+    options: {
+      bounds: { position: { relative: 0.01 }, '*': { relative: 0.03 }, temperature: 'free' },
+      errors: 'tracked',
+      cost: 'introduced',
+    },
+    stopped: 'finished',
+  });
+});
+
+test('errors and bounds of the report belong together', async () => {
+  const { report } = await reduce(...all);
+  for (const { name, extent, bound, error, ratio } of report.variables) {
+    expect(bound / extent).toBeCloseTo(name === 'position' ? 0.01 : 0.03, 12);
+    expect(ratio).toBeCloseTo(error / bound, 12);
+    expect(ratio).toBeLessThanOrEqual(1);
+  }
+});
+
+describe('bounds', () => {
+  test('the later of two with one name holds; * reaches what is not named, wherever it stands', async () => {
+    const { report } = await reduce('-b', 'pressure=9', '-b', '*=0.5', '-b', 'pressure=0.25', '-b', 'position=2');
+    expect(boundsIn(report)).toEqual({ position: 2, pressure: 0.25, velocity: 0.5, temperature: 0.5 });
+  });
+
+  test('% is of the extent, also behind a space, and numbers may be written with exponents', async () => {
+    const { report } = await reduce('-b', 'pressure=5 %', '-b', 'velocity=2e-1', '-b', '*=free');
+    const [, pressure] = report.variables;
+    expect(pressure.bound).toBeCloseTo(0.05 * pressure.extent, 12);
+    expect(boundsIn(report)).toMatchObject({ position: null, velocity: 0.2, temperature: null });
+  });
+
+  test('a variable without a bound is free, and that is said', async () => {
+    const { report, stdout, stderr } = await reduce('-b', 'position=1%', '-b', 'velocity=3%');
+    expect(boundsIn(report)).toMatchObject({ pressure: null, temperature: null });
+    expect(stderr).toContain('engine.vtp: No bound was given for “pressure”, “temperature”: free');
+    expect(stdout).toMatch(/^ {2}pressure +free/m);
+  });
+
+  test('looser bounds leave fewer triangles', async () => {
+    const tight = (await reduce('-b', '*=0.5%')).report.triangles.after;
+    const loose = (await reduce('-b', '*=10%')).report.triangles.after;
+    expect(loose).toBeLessThan(tight);
+  });
+});
+
+describe('options', () => {
+  test('--errors and --cost reach the reduction', async () => {
+    const { report } = await reduce(...all, '--errors', 'propagated', '--cost', 'max');
+    expect(report.options).toMatchObject({ errors: 'propagated', cost: 'max' });
+    const introduced = await reduce(...all, '--errors', 'propagated');
+    const tracked = await reduce(...all);
+    const after = [report, introduced.report, tracked.report].map(({ triangles }) => triangles.after);
+    expect(new Set(after).size).toBe(3);
+    expect(Math.min(...after)).toBe(tracked.report.triangles.after);
+  });
+
+  test('a --cost without effect is said to have none', async () => {
+    expect((await reduce(...all, '--cost', 'max')).stderr).toContain(
+      '--cost has an effect with --errors propagated only',
+    );
+  });
+
+  test('--quiet says nothing', async () => {
+    expect(await reduce('-b', 'position=1%', '--quiet')).toMatchObject({ stdout: '', stderr: '' });
+  });
+
+  test('the ending gives the format; what it has no place for is said', async () => {
+    const stl = await folder.run('reduce', 'engine.vtp', '-o', 'out.stl', ...all);
+    expect(stl.stderr).toContain('out.stl: STL has no place for the variables “pressure”, “velocity”, “temperature”');
+    expect((await folder.read('out.stl')).format).toBe('stl');
+    await folder.run('reduce', 'engine.vtp', '-o', 'out.ply.gz', ...all);
+    expect(kinds((await folder.read('out.ply.gz')).mesh)).toEqual(kinds(original));
+  });
+});
+
+describe('--map', () => {
+  test('stores with the original where each vertex went and what error it has there', async () => {
+    const { report } = await reduce(...all, '--map', 'map.vtp');
+    const [{ mesh }, { mesh: reduced }] = [await folder.read('map.vtp'), await folder.read('out.vtp')];
+    const values = (name: string) => [...(mesh.variables.find((each) => each.name === name)?.values ?? [])];
+    expect(mesh.triangles).toEqual(original.triangles);
+    expect(kinds(mesh).slice(0, 3)).toEqual(kinds(original));
+    const triangles = values('reduced_triangle');
+    const weights = values('reduced_barycentric');
+    const errors = values('pressure_error');
+    const signed = values('pressure_signed_error');
+    const [pressure, before] = [reduced.variables[0].values, original.variables[0].values];
+    for (const [vertex, triangle] of triangles.entries()) {
+      const corners = [0, 1, 2].map((corner) => pressure[reduced.triangles[3 * triangle + corner]]);
+      const there = corners.reduce((sum, value, corner) => sum + value * weights[3 * vertex + corner], 0);
+      expect(signed[vertex]).toBeCloseTo(before[vertex] - there, 6);
+      expect(errors[vertex]).toBeCloseTo(Math.abs(before[vertex] - there), 6);
+    }
+    expect(Math.max(...errors)).toBeLessThanOrEqual(report.variables[1].error);
+    expect(Math.max(...errors)).toBeGreaterThan(0);
+  });
+
+  test('tells vectors by the length of the error, and position by the distance along the normal too', async () => {
+    await reduce(...all, '--map', 'map.vtp');
+    const names = (await folder.read('map.vtp')).mesh.variables.map(({ name }) => name);
+    expect(names).toContain('velocity_error');
+    expect(names).not.toContain('velocity_signed_error');
+    expect(names).toContain('position_signed_error');
+  });
+});
+
+test('a seam, where two sides of the surface carry different values at one place, does not crack', async () => {
+  const half = engine(8);
+  const vertices = half.position.length / 3;
+  // A second plate to the right, whose left edge is where the right edge of the first one is.
+  const moved = half.position.map((value, i) => (i % 3 === 0 ? 2 - value : value));
+  const turned = half.triangles.toReversed().map((vertex) => vertex + vertices);
+  const side = Float32Array.from({ length: 2 * vertices }, (_, vertex) => (vertex < vertices ? 0 : 1));
+  await folder.save('seam.glb', {
+    position: Float32Array.from([...half.position, ...moved]),
+    triangles: Uint32Array.from([...half.triangles, ...turned]),
+    variables: [{ name: 'side', components: 1, values: side }],
+  });
+  const outcome = await folder.run('reduce', 'seam.glb', '-o', 'seam.vtp', '-b', '*=20%');
+  expect(outcome.status).toBe(0);
+  const { mesh } = await folder.read('seam.vtp');
+  expect(mesh.triangles.length).toBeLessThan(half.triangles.length);
+  const seamOf = (value: number) => {
+    const places = [...mesh.variables[0].values].flatMap((each, i) => (each === value ? [i] : []));
+    const points = places.map((i) => [...mesh.position.slice(3 * i, 3 * i + 3)]);
+    return points
+      .filter(([x]) => x === 1)
+      .map(String)
+      .toSorted();
+  };
+  expect(seamOf(0)).toEqual(seamOf(1));
+  expect(seamOf(0)).toHaveLength(9);
+});

@@ -1,0 +1,141 @@
+import { mkdirSync } from 'node:fs';
+import { beforeAll, describe, expect, test } from 'vitest';
+import { parseBounds } from '../../web/cli/bound-arguments.ts';
+import { Folder } from './command.ts';
+import { engine } from './engine.ts';
+
+const folder = new Folder();
+
+beforeAll(async () => {
+  const mesh = engine(4);
+  await folder.save('in.vtp', mesh);
+  const [pressure, ...others] = mesh.variables;
+  const holed = { ...pressure, values: pressure.values.with(3, Number.NaN) };
+  await folder.save('nan.vtp', { ...mesh, variables: [holed, ...others] });
+  await folder.save('map.vtp', { ...mesh, variables: [{ ...pressure, name: 'pressure_error' }, pressure] });
+  folder.write('text.vtp', 'no mesh at all');
+  folder.write('empty.ply', '');
+  folder.write('cut.vtp', folder.text('in.vtp').slice(0, 900));
+  mkdirSync(folder.at('folder.vtp'));
+});
+
+const bound = ['--bound', '*=1%'];
+const toOut = ['-o', 'out.vtp'];
+
+/** A command line, and what standard error must say of it. */
+type Case = [args: string[], message: RegExp | string];
+
+const usageFaults: Case[] = [
+  [[], 'A command is missing.'],
+  [['shrink'], /no command “shrink”; the commands are inspect, reduce, verify, convert/],
+  [['inspect'], 'FILE is missing.'],
+  [['inspect', 'in.vtp', 'in.vtp'], '“in.vtp” is one argument too many.'],
+  [['inspect', '--fast', 'in.vtp'], "Unknown option '--fast'."],
+  [['convert', 'in.vtp'], 'OUT is missing.'],
+  [['convert', 'in.vtp', 'out.step'], /out\.step: the ending .* \.vtp, \.vtk, \.ply/],
+  [['convert', 'in.vtp', 'out'], /out: the ending .* decides/],
+  [['reduce', ...toOut, ...bound], 'IN is missing.'],
+  [['reduce', 'in.vtp', ...bound], '-o OUT is missing.'],
+  [['reduce', 'in.vtp', ...toOut], 'No bound was given'],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--errors', 'guessed'], '“guessed”; it is tracked or propagated'],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--cost', 'sum'], '“sum”; it is max or introduced'],
+  [
+    ['reduce', 'in.vtp', ...toOut, ...bound, '--levels', '1%,3%'],
+    '--levels: several levels of detail cannot be made yet',
+  ],
+  [
+    ['reduce', 'in.vtp', ...toOut, ...bound, '--errors', 'propagated', '--map', 'm.vtp'],
+    '--map goes with --errors tracked',
+  ],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--map', './out.vtp'], 'Two of the files to be written are the same'],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--exclude', 'position'], 'position cannot be left out'],
+  [['verify', 'in.vtp', ...bound], 'REDUCED is missing.'],
+  [['verify', 'in.vtp', 'in.vtp'], 'No bound was given'],
+  [['verify', 'in.vtp', 'in.vtp', '-b', '*=free'], 'Every variable is free.'],
+  [['verify', 'in.vtp', 'in.vtp', ...bound, '--samples', 'many'], '--samples cannot be “many”'],
+];
+
+const bounds: [bound: string, message: string][] = [
+  ['pressure', 'it has the form NAME=1%'],
+  ['=1%', 'it has the form NAME=1%'],
+  ['pressure=', 'is not a number'],
+  ['pressure=%', 'is not a number'],
+  ['pressure=some', '“some” is not a number'],
+  ['pressure=1%%', 'is not a number'],
+  ['pressure=0', 'above zero'],
+  ['pressure=-1%', 'above zero'],
+  ['pressure=Infinity', 'finite'],
+];
+
+const fileFaults: Case[] = [
+  [['inspect', 'none.vtp'], 'none.vtp: there is no such file'],
+  [['inspect', 'folder.vtp'], 'folder.vtp: this is a folder'],
+  [['inspect', 'text.vtp'], 'text.vtp: This is no mesh file'],
+  [['inspect', 'empty.ply'], 'empty.ply: The file is empty.'],
+  [['convert', 'cut.vtp', 'out.ply'], 'cut.vtp: '],
+  [['convert', 'in.vtp', 'folder.vtp'], 'folder.vtp: this is a folder'],
+  [['convert', 'in.vtp', 'nowhere/out.ply'], 'nowhere/out.ply: there is no such file or folder'],
+  [['reduce', 'none.vtp', ...toOut, ...bound], 'none.vtp: there is no such file'],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--report', 'no/r.json'], 'no/r.json: there is no such file or folder'],
+  [
+    ['reduce', 'in.vtp', ...toOut, '-b', 'presure=1%'],
+    /in\.vtp: there is no variable “presure”; .*“position”, “pressure”, “velocity”/,
+  ],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--exclude', 'heat'], /no variable “heat”; the variables are “position”/],
+  [['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1e-30'], 'in.vtp: The bound of "pressure"'],
+  [['reduce', 'nan.vtp', ...toOut, ...bound], /nan\.vtp: .*pressure.*--exclude "pressure"/],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--map', 'm.stl'], 'm.stl: STL has no place for the variables'],
+  [
+    ['reduce', 'map.vtp', ...toOut, ...bound, '--map', 'm.vtp'],
+    'map.vtp: --map needs the names of the variables “pressure_error”',
+  ],
+  [['verify', 'in.vtp', 'none.vtp', ...bound], 'none.vtp: there is no such file'],
+  [['verify', 'in.vtp', 'nan.vtp', ...bound], 'nan.vtp: “pressure” holds 1 value that is not finite'],
+  [['verify', 'in.vtp', 'map.vtp', ...bound], 'map.vtp: there is no variable “velocity”'],
+  [['verify', 'in.vtp', 'in.vtp', '-b', 'presure=1%'], /in\.vtp: there is no variable “presure”/],
+];
+
+async function expectFault(args: string[], message: RegExp | string) {
+  const before = folder.files();
+  const { status, stdout, stderr } = await folder.run(...args);
+  expect({ status, stdout }).toEqual({ status: 2, stdout: '' });
+  expect(stderr).toMatch(message);
+  expect(stderr).not.toMatch(/\n\s+at /);
+  expect(folder.files()).toEqual(before);
+  return stderr;
+}
+
+describe('a wrong command line is explained, with status 2 and where to look it up', () => {
+  test.each(usageFaults)('meshbound %j', async (args, message) => {
+    const command = args.length > 0 && args[0] !== 'shrink' ? `${args[0]} ` : '';
+    expect(await expectFault(args, message)).toContain(`Try: meshbound ${command}--help`);
+  });
+
+  test('--bound', async () => {
+    const stderr = await expectFault(['reduce', 'in.vtp', ...toOut, '--bound', 'pressure=some'], 'is not a number');
+    expect(stderr).toContain('The bound “pressure=some” cannot be');
+  });
+
+  test.each(bounds)('--bound %j', (text, message) => {
+    expect(() => parseBounds([text])).toThrow(`The bound “${text}” cannot be: `);
+    expect(() => parseBounds([text])).toThrow(message);
+  });
+});
+
+describe('a fault of a file is named with the file, with status 2', () => {
+  test.each(fileFaults)('meshbound %j', async (args, message) => {
+    await expectFault(args, message);
+  });
+});
+
+test('what is broken can be left out', async () => {
+  const outcome = await folder.run('reduce', 'nan.vtp', ...toOut, ...bound, '--exclude', 'pressure');
+  expect(outcome).toMatchObject({ status: 0 });
+  const { mesh } = await folder.read('out.vtp');
+  expect(mesh.variables.map(({ name }) => name)).toEqual(['velocity', 'temperature']);
+});
+
+test('a reader that stops early is no error', async () => {
+  const { stderr } = await folder.runShell('meshbound inspect --json in.vtp | true');
+  expect(stderr).toBe('');
+});
