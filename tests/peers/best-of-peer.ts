@@ -3,33 +3,42 @@ import { join } from 'node:path';
 
 import { cached, contentHash } from './cache.ts';
 import { hair, type Judge } from './native.ts';
-import type { Peer, Setting, Task } from './peer.ts';
+import type { Peer, Task } from './peer.ts';
 import { places } from './places.ts';
-import { Search } from './search.ts';
+import { Search, type Start } from './search.ts';
 
 /** What a peer left of a surface at its best, and how. */
-export interface PeerResult {
+export interface PeerResult extends Start {
   triangles: number;
   /** The judge's, of the surface; at most 1. */
   ratio: number;
   /** The judge's, of the boundary; nobody asks this of a peer. */
   boundaryRatio: number;
-  setting: Setting;
-  /** The number of triangles asked for. */
-  target: number;
   runs: number;
   seconds: number;
 }
 
 /** How often a peer may run for one surface and pair of bounds at effort 1, by the time that it takes. */
-const allowed = { least: 24, most: 120, seconds: 12 };
+const allowed = { least: 20, most: 120, seconds: 12 };
 /** To be raised when peers are run in another way, so that results kept from before are not taken. */
 const version = 3;
 
-/** Searched for once; kept for as long as peer, surface and bounds are the same, until more effort is asked for. */
-export function bestOfPeer(peer: Peer, name: string, task: Task, judge: Judge, effort: number): Promise<PeerResult> {
+/**
+ * Searched for once; kept for as long as peer, surface and bounds are the same, until more effort is asked for.
+ * `tighter` is what was found at tighter bounds.
+ */
+export function bestOfPeer(
+  peer: Peer,
+  name: string,
+  task: Task,
+  judge: Judge,
+  effort: number,
+  tighter: Start | undefined,
+): Promise<PeerResult> {
   const key = { version: `${version}, ${peer.version}`, surface: contentHash(task.path), bounds: task.bounds.join() };
-  return cached<PeerResult>(`${name}-${peer.name}`, key, effort, (before) => search(peer, task, judge, effort, before));
+  return cached<PeerResult>(`${name}-${peer.name}`, key, effort, (before) =>
+    search(peer, task, judge, effort, before ?? tighter),
+  );
 }
 
 async function search(
@@ -37,7 +46,7 @@ async function search(
   task: Task,
   judge: Judge,
   effort: number,
-  before: PeerResult | undefined,
+  before: Start | undefined,
 ): Promise<PeerResult> {
   const trial = join(places.cache, `trial-${process.pid}.ply`);
   const started = performance.now();

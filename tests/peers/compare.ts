@@ -78,7 +78,14 @@ async function compare({ name, path }: SurfaceFile): Promise<Row[]> {
       peers: {},
     };
     for (const peer of peers) {
-      row.peers[peer.name] = await bestOfPeer(peer, `${name}-${boundsName.replace('/', '-')}`, task, judge, effort);
+      row.peers[peer.name] = await bestOfPeer(
+        peer,
+        `${name}-${boundsName.replace('/', '-')}`,
+        task,
+        judge,
+        effort,
+        rows.at(-1)?.peers[peer.name],
+      );
     }
     console.error(
       `${name} at ${boundsName}: ${row.tracked.triangles} against ${bestPeer(row)}, ${share(row).toFixed(2)}`,

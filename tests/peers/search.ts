@@ -1,11 +1,15 @@
 import type { Setting, Simplify } from './peer.ts';
 
-/** The fewest triangles found, and how. */
-export interface Found {
-  triangles: number;
+/** A run of a peer that passed. */
+export interface Start {
   setting: Setting;
   /** The number of triangles asked for. */
   target: number;
+}
+
+/** The fewest triangles found, and how. */
+export interface Found extends Start {
+  triangles: number;
   /** Runs of the peer. */
   runs: number;
 }
@@ -49,9 +53,15 @@ export class Search {
     this.best = { triangles, target: triangles, setting: this.uniform(1, []), runs: 0 };
   }
 
-  /** `options` are switched on and off; `starts` are the sets of them to begin with, or a search `before` to go on from. */
-  async fewest(options: string[], starts: string[][], before?: { setting: Setting; target: number }): Promise<Found> {
-    if (before) await this.improves(before.setting, before.target);
+  /**
+   * `options` are switched on and off; `starts` are the sets of them to begin with, after what was found `before`: by a
+   * shorter search, or at tighter bounds.
+   */
+  async fewest(options: string[], starts: string[][], before?: Start): Promise<Found> {
+    if (before && (await this.improves(before.setting, before.target))) {
+      await this.descend(before.setting, hopes);
+      await this.mend();
+    }
     for (const factor of firstFactors) {
       for (const start of starts) await this.descend(this.uniform(factor, start), hopes);
     }

@@ -1,5 +1,5 @@
 import type { PeerResult } from './best-of-peer.ts';
-import { type Reduced, ratio } from './native.ts';
+import { hair, type Reduced, ratio } from './native.ts';
 
 /** One surface at one pair of bounds. */
 export interface Row {
@@ -13,6 +13,9 @@ export interface Row {
   /** By name of the peer. */
   peers: Record<string, PeerResult>;
 }
+
+/** Explained in docs/peers.md. */
+const boundaryMark = ' †';
 
 export function bestPeer(row: Row): number {
   return Math.min(...Object.values(row.peers).map(({ triangles }) => triangles));
@@ -65,12 +68,18 @@ function table(rows: Row[]): string {
       row.variables,
       row.tracked.triangles,
       row.propagated.triangles,
-      ...peers.map((peer) => row.peers[peer]?.triangles ?? ''),
+      ...peers.map((peer) => peerText(row.peers[peer])),
       decimals(share(row)),
       decimals(ratio(row.tracked)),
       decimals(row.tracked.seconds),
     ]),
   );
+}
+
+/** Marked where the peer's boundary, of which nothing is asked, lies beyond the bounds. */
+function peerText(result: PeerResult | undefined): string {
+  if (!result) return '';
+  return `${result.triangles}${result.boundaryRatio > 1 + hair ? boundaryMark : ''}`;
 }
 
 function decimals(value: number): string {
