@@ -34,7 +34,7 @@ struct SegmentationCell {
 ///
 /// Cells and pieces without area on the original occur where an original edge crosses the same reduced edges to and fro,
 /// and where several crossings share one place of it: they open on the way to the reduced surface and keep it free of
-/// holes. All pieces together are a surface of the original's topology, whose edges are shared by their two corners.
+/// holes. Together the pieces are a triangulation of the original surface.
 struct Segmentation {
     std::vector<SegmentationCell> cells; ///< in the order of the original triangles
     std::vector<std::uint32_t> corners;  ///< cell by cell
