@@ -30,7 +30,7 @@ export interface ListedSample {
 
 const fireballs = {
   scene: 'fireballs',
-  isovalue: 0.28,
+  isovalue: 0.45,
   variables: ['density', 'pressure', 'vx', 'vy', 'vz', 'energy', 'temperature'],
 } as const;
 

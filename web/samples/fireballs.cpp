@@ -35,25 +35,35 @@ double density_of(double pressure, double molar_mass, double temperature) {
     return pressure * molar_mass / (gas_constant * temperature);
 }
 
-/// No lump is higher or deeper than this, relative to the radius.
-constexpr double largest_lump = 0.1;
+/// The balls thin out into the helium from this share of their radius inside to the same share outside: hot gas has no sharp
+/// edge, and a surface of density within the fringe carries smooth fields, as the paper's does.
+constexpr double fringe = 0.6;
 
-/// The radius of a ball in a direction, relative to its mean: not quite round, so that the instabilities have something
-/// to grow from.
-double lumps(double nx, double ny, double nz) { return 1 + 0.3 * nx * ny * nz + 0.15 * (nx * nx - ny * ny) * nz * nz; }
+/// 1 within the ball, 0 outside, smooth across its fringe.
+double share_of(const Ball& ball, double x, double y, double z) {
+    const double dx = (x - ball.centre[0]) / ball.radius[0];
+    const double dy = (y - ball.centre[1]) / ball.radius[1];
+    const double dz = (z - ball.centre[2]) / ball.radius[2];
+    const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const double inside = std::clamp((1 + fringe - distance) / (2 * fringe), 0.0, 1.0);
+    return inside * inside * (3 - 2 * inside);
+}
+
+/// The ball's gas at this share of its density in the helium; momentum is shared by all the mass there.
+Primitive mixed(const Ball& ball, double share) {
+    const double gas = share * density_of(fireball_pressure, ball.molar_mass, ball.temperature);
+    const double rest = (1 - share) * density_of(ambient_pressure, helium, ambient_temperature);
+    const auto fraction = float(gas / (gas + rest));
+    Primitive state{float(gas + rest), ball.velocity,
+                    float(ambient_pressure + share * (fireball_pressure - ambient_pressure)), ball.fraction};
+    for (float& component : state.velocity) component *= fraction;
+    for (float& tracer : state.fraction) tracer *= fraction;
+    return state;
+}
 
 Primitive initial(double x, double y, double z) {
-    for (const auto& ball : balls) {
-        const double dx = (x - ball.centre[0]) / ball.radius[0];
-        const double dy = (y - ball.centre[1]) / ball.radius[1];
-        const double dz = (z - ball.centre[2]) / ball.radius[2];
-        const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
-        if (distance > 1 + largest_lump) continue;
-        if (distance < 1 - largest_lump || distance < lumps(dx / distance, dy / distance, dz / distance)) {
-            return {float(density_of(fireball_pressure, ball.molar_mass, ball.temperature)), ball.velocity,
-                    float(fireball_pressure), ball.fraction};
-        }
-    }
+    for (const auto& ball : balls)
+        if (const double share = share_of(ball, x, y, z); share > 0) return mixed(ball, share);
     return {float(density_of(ambient_pressure, helium, ambient_temperature)), {}, float(ambient_pressure), {}};
 }
 
