@@ -29,8 +29,8 @@ struct SegmentationCell {
 /// `reduction.map.places[corner]`; from there on it is `reduction.map.crossings[corner - V]`. So a corner has one place
 /// on the original and one on the reduced surface, whatever cell one sees it from: neighbouring cells leave no crack.
 ///
-///     original triangles {0,1,2}, {0,2,3} of a square; 2 crosses nothing, 0-2 crosses the reduced diagonal 1-3 once:
-///     V = 4, crossing 0 is corner 4;  cells (0,1,4), (1,2,4) of the one, (0,4,3), (4,2,3) of the other.
+///     a square, original triangles {0,1,2} and {0,2,3}; the reduced mesh has the other diagonal, which 0-2 crosses once:
+///     V = 4, crossing 0 is corner 4;  cells (0,1,4), (1,2,4) of the one triangle, (0,4,3), (4,2,3) of the other.
 ///
 /// Cells and pieces without area on the original occur where an original edge crosses the same reduced edges to and fro,
 /// and where several crossings share one place of it: they open on the way to the reduced surface and keep it free of
