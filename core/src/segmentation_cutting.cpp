@@ -32,10 +32,8 @@ void CellCutter::collect_chains() {
     std::size_t passed = 0; // kept corners
     for (std::size_t n = 0; n < outline_->size(); ++n) {
         const Step step = (first + n) % outline_->size();
-        if ((*outline_)[step].is_kept())
-            ++passed;
-        else if ((*outline_)[step].is_crossing())
-            chains_[passed > 0 ? passed - 1 : 0].push_back(step);
+        if ((*outline_)[step].is_kept()) ++passed;
+        else if ((*outline_)[step].is_crossing()) chains_[passed > 0 ? passed - 1 : 0].push_back(step);
     }
 }
 
@@ -45,8 +43,7 @@ void CellCutter::join_returns(std::vector<Step>& chain) {
     for (const Step step : chain) {
         if (remaining > 0 && (*outline_)[chain[remaining - 1]].crossed == (*outline_)[step].crossed)
             cut_off(chain[--remaining], step);
-        else
-            chain[remaining++] = step;
+        else chain[remaining++] = step;
     }
     chain.resize(remaining);
 }
@@ -148,10 +145,8 @@ void CellCutter::add_cell(Step from, Step to, std::uint32_t reduced) {
     } while (step != to);
     if (from != to) out_->corners.push_back((*outline_)[to].corner);
     cell.corner_count = static_cast<std::uint32_t>(out_->corners.size()) - cell.first_corner;
-    if (cell.corner_count < 3)
-        out_->corners.resize(cell.first_corner);
-    else
-        out_->cells.push_back(cell);
+    if (cell.corner_count < 3) out_->corners.resize(cell.first_corner);
+    else out_->cells.push_back(cell);
 }
 
 } // namespace meshbound
