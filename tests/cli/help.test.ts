@@ -8,6 +8,9 @@ const folder = new Folder();
 /** The files that the examples speak of. */
 beforeAll(async () => {
   for (const name of ['engine.vtp', 'engine.vtk', 'part.vtp', 'small.vtp']) await folder.save(name, engine());
+  await folder.save('part.stl', engine());
+  const { mesh } = await folder.read('part.stl');
+  folder.write('part.csv', `heat [K]\n${'300\n'.repeat(mesh.position.length / 3)}`);
   await folder.save('scan.ply', { ...engine(), variables: [] });
 });
 

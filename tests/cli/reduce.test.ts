@@ -177,6 +177,19 @@ describe('--map', () => {
   });
 });
 
+test('variables from a CSV file are reduced like those of the surface', async () => {
+  const vertices = original.position.length / 3;
+  const heat = Array.from({ length: vertices }, (_, vertex) => (original.position[3 * vertex] > 0.5 ? 1 : 0));
+  folder.write('heat.csv', ['heat', ...heat].join('\n'));
+  const { report } = await reduce('--variables', 'heat.csv', '-b', 'heat=0.1', '-b', 'position=20%');
+  expect(report.variables.at(-1)).toMatchObject({ name: 'heat', extent: 1, bound: 0.1 });
+  const { mesh } = await folder.read('out.vtp');
+  expect(mesh.variables.at(-1)?.name).toBe('heat');
+  const without = await reduce('-b', 'position=20%');
+  expect(without.report.triangles.after).toBeLessThan(report.triangles.after);
+  expect(await folder.run('verify', 'engine.vtp', 'out.vtp', '-b', 'heat=0.1')).toMatchObject({ status: 2 });
+});
+
 test('a seam, where two sides of the surface carry different values at one place, does not crack', async () => {
   const half = engine(8);
   const vertices = half.position.length / 3;

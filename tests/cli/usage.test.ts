@@ -15,6 +15,7 @@ beforeAll(async () => {
   await folder.save('map.vtp', { ...mesh, variables: [{ ...pressure, name: 'pressure_error' }, pressure] });
   folder.write('text.vtp', 'no mesh at all');
   folder.write('empty.ply', '');
+  folder.write('short.csv', 'heat\n1\n');
   folder.write('cut.vtp', folder.text('in.vtp').slice(0, 900));
   mkdirSync(folder.at('folder.vtp'));
 });
@@ -32,7 +33,7 @@ const usageFaults: Case[] = [
   [['inspect', 'in.vtp', 'in.vtp'], '“in.vtp” is one argument too many.'],
   [['inspect', '--fast', 'in.vtp'], "Unknown option '--fast'."],
   [['convert', 'in.vtp'], 'OUT is missing.'],
-  [['convert', 'in.vtp', 'out.step'], /out\.step: the ending .* \.vtp, \.vtk, \.ply/],
+  [['convert', 'in.vtp', 'out.step'], /out\.step: the ending .* \.ply, \.vtp, \.vtk/],
   [['convert', 'in.vtp', 'out'], /out: the ending .* decides/],
   [['reduce', ...toOut, ...bound], 'IN is missing.'],
   [['reduce', 'in.vtp', ...bound], '-o OUT is missing.'],
@@ -73,6 +74,8 @@ const fileFaults: Case[] = [
   [['inspect', 'text.vtp'], 'text.vtp: This is no mesh file'],
   [['inspect', 'empty.ply'], 'empty.ply: The file is empty.'],
   [['convert', 'cut.vtp', 'out.ply'], 'cut.vtp: '],
+  [['inspect', 'in.vtp', '--variables', 'none.csv'], 'none.csv: there is no such file'],
+  [['inspect', 'in.vtp', '--variables', 'short.csv'], 'short.csv: The CSV file has 1 line of values'],
   [['convert', 'in.vtp', 'folder.vtp'], 'folder.vtp: this is a folder'],
   [['convert', 'in.vtp', 'nowhere/out.ply'], 'nowhere/out.ply: there is no such file or folder'],
   [['reduce', 'none.vtp', ...toOut, ...bound], 'none.vtp: there is no such file'],
@@ -84,7 +87,10 @@ const fileFaults: Case[] = [
   [['reduce', 'in.vtp', ...toOut, ...bound, '--exclude', 'heat'], /no variable “heat”; the variables are “position”/],
   [['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1e-30'], 'in.vtp: The bound of "pressure"'],
   [['reduce', 'nan.vtp', ...toOut, ...bound], /nan\.vtp: .*pressure.*--exclude "pressure"/],
-  [['reduce', 'in.vtp', ...toOut, ...bound, '--map', 'm.stl'], 'm.stl: STL has no place for the variables'],
+  [
+    ['reduce', 'in.vtp', ...toOut, ...bound, '--map', 'm.stl'],
+    'm.stl: STL has no place for the variables “reduced_triangle”',
+  ],
   [
     ['reduce', 'map.vtp', ...toOut, ...bound, '--map', 'm.vtp'],
     'map.vtp: --map needs the names of the variables “pressure_error”',

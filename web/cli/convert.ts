@@ -14,32 +14,34 @@ The format of IN is seen from its content, that of OUT is given by its ending: .
 and .gz behind any of them. What OUT cannot hold is said on standard error.
 
 Options:
-  --quiet    say nothing but errors
+  --variables FILE.csv    more variables of IN: names in the first line, then a line for each point
+  --quiet                 say nothing but errors
 
 Examples:
   meshbound convert engine.vtk engine.vtp
   meshbound convert scan.ply scan.glb
-  meshbound convert part.vtp part.stl.gz`;
+  meshbound convert part.stl part.vtp --variables part.csv
+  meshbound convert part.vtp part.glb.gz`;
 
 async function run(args: string[]): Promise<number> {
   const { values, positionals } = parseArguments(args, {
-    options: { quiet: { type: 'boolean' } },
+    options: { variables: { type: 'string' }, quiet: { type: 'boolean' } },
     positionals: ['IN', 'OUT'],
   });
   const [input, output] = positionals;
   outputFormat(output);
   await requireWritable([output]);
-  const surface = await openSurface(input);
-  const notes = await interruptible((signal) =>
+  const surface = await openSurface(input, values.variables);
+  const losses = await interruptible((signal) =>
     StagedFiles.complete(signal, async (files) => {
-      const { bytes, notes } = await encodeSurface(output, surface.mesh, surface);
+      const { bytes, losses } = await encodeSurface(output, surface.mesh, surface);
       await files.write(output, bytes);
-      return notes;
+      return losses;
     }),
   );
   if (!values.quiet) {
     sayNotes(input, surface.notes);
-    sayNotes(output, notes);
+    sayNotes(output, losses);
   }
   return exitStatus.done;
 }

@@ -19,8 +19,9 @@ each variable its components, range, extent (the length of the diagonal of the b
 bound is a fraction) and how many values are NaN or infinite.
 
 Options:
-  --json     the same for programs
-  --quiet    say nothing of how the file was read
+  --variables FILE.csv    more variables of FILE: names in the first line, then a line for each point
+  --json                  the same for programs
+  --quiet                 say nothing of how the file was read
 
 Examples:
   meshbound inspect engine.vtp
@@ -115,10 +116,10 @@ function print(found: Inspection): void {
 
 async function run(args: string[]): Promise<number> {
   const { values, positionals } = parseArguments(args, {
-    options: { json: { type: 'boolean' }, quiet: { type: 'boolean' } },
+    options: { variables: { type: 'string' }, json: { type: 'boolean' }, quiet: { type: 'boolean' } },
     positionals: ['FILE'],
   });
-  const surface = await openSurface(positionals[0]);
+  const surface = await openSurface(positionals[0], values.variables);
   const found = inspection(surface);
   if (values.json) console.log(JSON.stringify(found, undefined, 2));
   else print(found);

@@ -79,4 +79,9 @@ process.stdout.on('error', (error: NodeJS.ErrnoException) =>
 );
 
 const args = process.argv.slice(2);
-process.exitCode = await run(args).catch((error) => complain(error, args));
+process.exitCode = await run(args).catch((error) => {
+  const status = complain(error, args);
+  // The reduction would go on until it looks whether it is still wanted.
+  if (error instanceof Interrupted) process.exit(status);
+  return status;
+});

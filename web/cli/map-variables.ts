@@ -3,7 +3,8 @@ import { asFloatingPoint } from '../formats/precision.ts';
 import { listed } from '../formats/wording.ts';
 import { Fault } from './fault.ts';
 
-const [triangleName, barycentricName] = ['reduced_triangle', 'reduced_barycentric'];
+export const triangleName = 'reduced_triangle';
+const barycentricName = 'reduced_barycentric';
 
 /** What the map gives to vertices that no triangle uses: they have no place. */
 const nowhere = 0xffffffff;

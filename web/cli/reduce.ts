@@ -1,4 +1,4 @@
-import { MeshboundError, type Reduction, reduce as reduceMesh } from '../../wasm/index.ts';
+import { type Mesh, MeshboundError, type Reduction, reduce as reduceMesh } from '../../wasm/index.ts';
 import { oddityNotes } from '../session/oddity-notes.ts';
 import { oneOf, parseArguments } from './arguments.ts';
 import { parseBounds, requireKnown, requireKnownBounds, unnamed } from './bound-arguments.ts';
@@ -6,12 +6,12 @@ import type { Command } from './command.ts';
 import { exitStatus } from './exit-status.ts';
 import { Fault, faultOf, UsageFault } from './fault.ts';
 import { interruptible } from './interruption.ts';
-import { requireMapNames, withMap } from './map-variables.ts';
+import { requireMapNames, triangleName, withMap } from './map-variables.ts';
 import { sayNotes } from './notes.ts';
 import { ProgressBar } from './progress-bar.ts';
 import { freeNotes, type ReportOptions, reportJson, reportText } from './report.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
-import { encodeSurface, type OpenedSurface, openSurface, outputFormat, requireVariables } from './surface-files.ts';
+import { encodeSurface, type OpenedSurface, openSurface, outputFormat, requirePlaceFor } from './surface-files.ts';
 
 const help = `Reduces a surface so that every bound holds at every point of it.
 
@@ -24,6 +24,7 @@ the later one holds. A variable without bound is free: it is carried along, and 
 Options:
   -o, --output OUT        the file to write: .vtp, .vtk, .ply, .glb, .obj or .stl, and .gz behind any of them
   -b, --bound NAME=BOUND  as often as needed
+  --variables FILE.csv    more variables of IN: names in the first line, then a line for each point
   --exclude NAME          leave a variable out, as often as needed
   --errors HOW            tracked (default): measured against the original at every step;
                           propagated: added up from removal to removal, as in the paper; more triangles stay
@@ -44,6 +45,7 @@ const signature = {
   options: {
     output: { type: 'string', short: 'o' },
     bound: { type: 'string', short: 'b', multiple: true, default: [] as string[] },
+    variables: { type: 'string' },
     exclude: { type: 'string', multiple: true, default: [] as string[] },
     errors: { type: 'string', default: 'tracked' },
     cost: { type: 'string', default: 'introduced' },
@@ -58,6 +60,7 @@ const signature = {
 interface Request {
   input: string;
   output: string;
+  variables: string | undefined;
   exclude: string[];
   options: ReportOptions;
   map: string | undefined;
@@ -76,6 +79,7 @@ function parseRequest(args: string[]): Request {
   return {
     input: positionals[0],
     output: values.output,
+    variables: values.variables,
     exclude: values.exclude,
     options: { bounds: parseBounds(values.bound), errors, cost },
     map: values.map,
@@ -84,8 +88,8 @@ function parseRequest(args: string[]): Request {
   };
 }
 
-async function openInput({ input, exclude, options, map }: Request): Promise<OpenedSurface> {
-  const whole = await openSurface(input);
+async function openInput({ input, variables: csv, exclude, options, map }: Request): Promise<OpenedSurface> {
+  const whole = await openSurface(input, csv);
   requireKnown(exclude, whole);
   if (exclude.includes('position')) throw new UsageFault('--exclude: the position cannot be left out.');
   const variables = whole.mesh.variables.filter(({ name }) => !exclude.includes(name));
@@ -93,7 +97,7 @@ async function openInput({ input, exclude, options, map }: Request): Promise<Ope
   requireKnownBounds(options.bounds, surface);
   if (map) {
     requireMapNames(surface);
-    await requireVariables(map, surface.mesh);
+    await requirePlaceFor(triangleName, map);
   }
   return surface;
 }
@@ -123,12 +127,17 @@ function withAdvice(path: string, error: unknown): unknown {
   return excludable ? new Fault(`${fault.message} To leave the variable out: --exclude "${error.variable}".`) : fault;
 }
 
-/** Writes what was asked for; gives what the files do not hold. */
+/** Writes what was asked for, and gives the notes on each file of what it does not hold. */
 async function writeResults(files: StagedFiles, request: Request, surface: OpenedSurface, reduction: Reduction) {
   const { output, map, report, options } = request;
-  const { bytes, notes } = await encodeSurface(output, reduction.mesh, surface);
-  await files.write(output, bytes);
-  if (map) await files.write(map, (await encodeSurface(map, withMap(surface.mesh, reduction), surface)).bytes);
+  const surfaces: [string, Mesh][] = [[output, reduction.mesh]];
+  if (map) surfaces.push([map, withMap(surface.mesh, reduction)]);
+  const notes: [string, string[]][] = [];
+  for (const [path, mesh] of surfaces) {
+    const { bytes, losses } = await encodeSurface(path, mesh, surface);
+    await files.write(path, bytes);
+    notes.push([path, losses]);
+  }
   if (report) await files.write(report, reportJson(reduction.report, options));
   return notes;
 }
@@ -138,10 +147,10 @@ async function run(args: string[]): Promise<number> {
   const { output, map, report, options, quiet } = request;
   await requireWritable([output, map, report].filter((path) => path !== undefined));
   const surface = await openInput(request);
-  const { result, losses } = await interruptible((signal) =>
+  const { result, notes } = await interruptible((signal) =>
     StagedFiles.complete(signal, async (files) => {
       const result = await reduceSurface(surface, request, signal);
-      return { result, losses: await writeResults(files, request, surface, result) };
+      return { result, notes: await writeResults(files, request, surface, result) };
     }),
   );
   if (!quiet) {
@@ -150,7 +159,7 @@ async function run(args: string[]): Promise<number> {
     }
     const free = freeNotes(unnamed(options.bounds, surface.mesh));
     sayNotes(surface.path, [...surface.notes, ...oddityNotes(result.report.oddities), ...free]);
-    sayNotes(output, losses);
+    for (const [path, losses] of notes) sayNotes(path, losses);
     console.log(reportText(result.report, options));
   }
   return exitStatus.done;

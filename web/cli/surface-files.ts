@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { basename } from 'node:path';
-import { gzipSync } from 'node:zlib';
 import type { Mesh } from '../../wasm/types.ts';
-import { readSurface, type SurfaceFile } from '../formats/read.ts';
+import { formatByEnding, formatNames } from '../formats/format-names.ts';
+import { addVariables, readSurface, type SurfaceFile } from '../formats/read.ts';
 import type { Format, Labels } from '../formats/surface.ts';
 import { lossesOf, writeSurface } from '../formats/write.ts';
 import { Fault, faultOf, UsageFault } from './fault.ts';
@@ -12,58 +12,56 @@ export interface OpenedSurface extends SurfaceFile {
   path: string;
 }
 
-/** Reads a surface. Throws a Fault that names the file. */
-export async function openSurface(path: string): Promise<OpenedSurface> {
+/** Reads a surface, and more of its variables from the CSV file `csvPath`. Throws a Fault that names the file. */
+export async function openSurface(path: string, csvPath?: string): Promise<OpenedSurface> {
+  const surface = await named(path, async () => readSurface(basename(path), await bytesOf(path)));
+  if (csvPath === undefined) return { ...surface, path };
+  return { ...(await named(csvPath, async () => addVariables(surface, await bytesOf(csvPath)))), path };
+}
+
+/** As a plain array: Node's Buffer means something else by slice(). */
+async function bytesOf(path: string): Promise<Uint8Array> {
+  const { buffer, byteOffset, length } = await readFile(path);
+  return new Uint8Array(buffer, byteOffset, length);
+}
+
+/** Does what has to do with a file; faults name it. */
+async function named<Value>(path: string, work: () => Promise<Value>): Promise<Value> {
   try {
-    const { buffer, byteOffset, length } = await readFile(path);
-    // A plain array: Node's Buffer means something else by slice().
-    return { ...(await readSurface(basename(path), new Uint8Array(buffer, byteOffset, length))), path };
+    return await work();
   } catch (error) {
     throw faultOf(path, error);
   }
 }
 
-/** What a file is to be written as. */
-export interface OutputFormat {
-  format: Format;
-  gzip: boolean;
-}
-
-/** All formats that are written; the compiler sees to it that none is left out. */
-const written: Record<Format, true> = { vtp: true, vtk: true, ply: true, glb: true, obj: true, stl: true };
-
-/** The endings of names that can be written, for messages: ".vtp, .vtk, …". */
-export const writtenEndings = Object.keys(written)
-  .map((format) => `.${format}`)
-  .join(', ');
-
-/** The format that the ending of a name asks for, `.gz` behind it or not. Throws a UsageFault where there is none. */
-export function outputFormat(path: string): OutputFormat {
-  const [, ending = '', gzip] = /(?:\.([^./\\]+?))?(\.gz)?$/i.exec(path) ?? [];
-  const format = ending.toLowerCase();
-  if (Object.hasOwn(written, format)) return { format: format as Format, gzip: gzip !== undefined };
+/** The format that the ending of a name asks for. Throws a UsageFault where there is none. */
+export function outputFormat(path: string): Format {
+  const format = formatByEnding(path);
+  if (format) return format;
+  const endings = Object.keys(formatNames).map((each) => `.${each}`);
   throw new UsageFault(
-    `${path}: the ending of the name decides about the format; it can be ${writtenEndings}, or one of them with .gz.`,
+    `${path}: the ending of the name decides about the format; it can be ${endings.join(', ')}, or one of them with .gz.`,
   );
 }
 
 /** A surface as the bytes of a file, and what the file does not hold of it. Throws a Fault that names the file. */
-export async function encodeSurface(
+export function encodeSurface(
   path: string,
   mesh: Mesh,
   { units, componentNames }: Labels,
-): Promise<{ bytes: Uint8Array; notes: string[] }> {
-  const { format, gzip } = outputFormat(path);
-  try {
-    const bytes = await writeSurface(format, mesh, { units, componentNames });
-    return { bytes: gzip ? gzipSync(bytes) : bytes, notes: await lossesOf(format, mesh) };
-  } catch (error) {
-    throw faultOf(path, error);
-  }
+): Promise<{ bytes: Uint8Array; losses: string[] }> {
+  const format = outputFormat(path);
+  const gzip = /\.gz$/i.test(path);
+  return named(path, async () => ({
+    bytes: await writeSurface(format, mesh, { units, componentNames, gzip }),
+    losses: await lossesOf(format, mesh),
+  }));
 }
 
-/** Throws a Fault unless a file of this name holds the variables of a mesh. */
-export async function requireVariables(path: string, mesh: Mesh): Promise<void> {
-  const [loss] = await lossesOf(outputFormat(path).format, mesh);
+/** Throws a Fault where a file of this name has no place for a variable. */
+export async function requirePlaceFor(variable: string, path: string): Promise<void> {
+  const variables = [{ name: variable, components: 1, values: new Float32Array() }];
+  const mesh = { position: new Float32Array(), triangles: new Uint32Array(), variables };
+  const [loss] = await lossesOf(outputFormat(path), mesh);
   if (loss) throw new Fault(`${path}: ${loss}`);
 }

@@ -24,6 +24,7 @@ Bounds are written as for "meshbound reduce"; percentages are of the extents in 
 
 Options:
   -b, --bound NAME=BOUND  as often as needed
+  --variables FILE.csv    more variables of ORIGINAL: names in the first line, then a line for each point
   --samples N             how many points of each surface are looked at, more or less (default 50000);
                           never fewer than its vertices, edges and triangles
   --json                  the same for programs
@@ -38,6 +39,7 @@ Examples:
 const signature = {
   options: {
     bound: { type: 'string', short: 'b', multiple: true, default: [] as string[] },
+    variables: { type: 'string' },
     samples: { type: 'string', default: '50000' },
     json: { type: 'boolean', default: false },
     quiet: { type: 'boolean', default: false },
@@ -104,7 +106,7 @@ async function run(args: string[]): Promise<number> {
   const { values, positionals } = parseArguments(args, signature);
   const bounds = parseBounds(values.bound);
   const samples = parseSamples(values.samples);
-  const [original, reduced] = [await openSurface(positionals[0]), await openSurface(positionals[1])];
+  const [original, reduced] = [await openSurface(positionals[0], values.variables), await openSurface(positionals[1])];
   requireKnownBounds(bounds, original);
   const names = bounded(bounds, original);
   if (names.length === 0 && boundOf(bounds, 'position') === 'free') throw new UsageFault('Every variable is free.');
