@@ -8,7 +8,7 @@ import {
   tableSize,
 } from '../../web/colour/colormaps.ts';
 import { centredOnZero, dataRange, placeIn, roundTicks } from '../../web/colour/colour-range.ts';
-import { cornerShares } from '../../web/colour/error-share.ts';
+import { flatPlaces, largerInSize, placeByShare, placeBySign, vertexPlaces } from '../../web/colour/error-places.ts';
 import { componentsOf, cornerPlaces, fieldOf, fieldRange } from '../../web/colour/field.ts';
 
 const maps: Colormap[] = ['viridis', 'cividis', 'diverging', 'share'];
@@ -103,19 +103,48 @@ describe('a field', () => {
 });
 
 describe('error / bound', () => {
-  test('is the same at the three corners of a triangle', () => {
-    expect([...cornerShares(new Float32Array([0.5, 0.25]), 0.5)]).toEqual([1, 1, 1, 0.5, 0.5, 0.5]);
+  test('is the share of the bound that an error uses', () => {
+    expect([0, 0.25, 0.5].map(placeByShare(0.5))).toEqual([0, 0.5, 1]);
   });
 
   test('does not call rounding up to single precision a broken bound', () => {
     const bound = 0.1;
     expect(Math.fround(bound)).toBeGreaterThan(bound);
-    expect(cornerShares(new Float32Array([bound]), bound)[0]).toBe(1);
+    expect(placeByShare(bound)(Math.fround(bound))).toBe(1);
   });
 
-  test('shows a broken bound', () => expect(cornerShares(new Float32Array([0.1001]), 0.1)[0]).toBeGreaterThan(1));
+  test('shows a broken bound', () => expect(placeByShare(0.1)(0.1001)).toBeGreaterThan(1));
 
-  test('shows nothing where there is no bound', () => {
-    expect(cornerShares(new Float32Array([5]), Infinity)[0]).toBeLessThan(0);
+  test('shows nothing where there is no bound', () => expect(placeByShare(Infinity)(5)).toBeLessThan(0));
+});
+
+describe('a signed error', () => {
+  test('stands in the middle of the map where there is none, and at the ends where it reaches the bound', () => {
+    expect([-0.5, -0.25, 0, 0.25, 0.5].map(placeBySign(0.5))).toEqual([0, 0.25, 0.5, 0.75, 1]);
+  });
+
+  test('is shown as broken beyond either end, and not for rounding', () => {
+    const place = placeBySign(0.1);
+    expect([-0.1001, 0.1001].map(place).every((found) => found > 1)).toBe(true);
+    expect([-0.1, 0.1].map(Math.fround).map(place)).toEqual([0, 1]);
+  });
+
+  test('is no error where nothing has one', () => expect(placeBySign(0)(0)).toBe(0.5));
+
+  test('of a triangle is the larger in size of its lowest and highest', () => {
+    const [lowest, highest] = [new Float32Array([-3, -1, 0, -2]), new Float32Array([1, 2, 0, 2])];
+    expect([...largerInSize(lowest, highest)]).toEqual([-3, 2, 0, 2]);
+  });
+});
+
+describe('errors on a surface', () => {
+  test('of triangles are the same at the three corners of each', () => {
+    expect([...flatPlaces(new Float32Array([0.5, 0.25]), placeByShare(0.5))]).toEqual([1, 1, 1, 0.5, 0.5, 0.5]);
+  });
+
+  test('of vertices stand at the corners where the vertices are', () => {
+    const triangles = new Uint32Array([2, 1, 0, 2, 0, 3]);
+    const errors = new Float32Array([0, 1, 2, 4]);
+    expect([...vertexPlaces(errors, triangles, placeByShare(4))]).toEqual([0.5, 0.25, 0, 0.5, 0, 1]);
   });
 });

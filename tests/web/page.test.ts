@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { fractionAt, placeOf } from '../../web/page/bound-place.ts';
 import { reducedFileName } from '../../web/page/file-name.ts';
-import { firstView, settingsFor } from '../../web/page/view-settings.ts';
+import { firstView, settingsFor, showing, type ViewSettings } from '../../web/page/view-settings.ts';
 import type { OpenSurface } from '../../web/session/session.ts';
 
 describe('the slider', () => {
@@ -27,6 +27,7 @@ test.each([
   ['Fireballs, fine', 'ply', 'Fireballs-fine-reduced.ply'],
   ['../../etc/passwd', 'ply', 'etc-passwd-reduced.ply'],
   ['???.vtp', 'ply', 'surface-reduced.ply'],
+  ['wing.obj.gz', 'ply', 'wing-reduced.ply'],
 ])('%j is saved as %s under the name %j', (opened, format, saved) =>
   expect(reducedFileName(opened, format)).toBe(saved),
 );
@@ -46,11 +47,29 @@ describe('the view of a newly opened surface', () => {
     expect(settingsFor(opened, firstView)).toMatchObject({ variable: 'velocity', component: 'magnitude' });
   });
 
-  test('keeps what the surface has and drops what it has not', () => {
-    const settings = { ...firstView, variable: 'b', component: 0, errorOf: 'gone', edges: true };
+  test('keeps the variable where the surface has it', () => {
+    const settings: ViewSettings = { ...firstView, variable: 'b', component: 0, quantity: 'signed', edges: true };
     const opened = surface(position, { ...extent, name: 'a' }, { ...extent, name: 'b' });
-    expect(settingsFor(opened, settings)).toEqual({ ...settings, errorOf: null });
+    expect(settingsFor(opened, settings)).toEqual(settings);
+  });
+
+  test('drops a component that the variable has not', () => {
+    const settings: ViewSettings = { ...firstView, variable: 'b', component: 2 };
+    const opened = surface(position, { ...extent, name: 'b', components: 2 });
+    expect(settingsFor(opened, settings).component).toBe('magnitude');
   });
 
   test('falls back on the geometry', () => expect(settingsFor(surface(position), firstView).variable).toBe('position'));
+});
+
+describe('signed errors', () => {
+  const settings: ViewSettings = { ...firstView, quantity: 'signed' };
+
+  test.each([
+    ['pressure', 1, 'signed'],
+    ['position', 3, 'signed'],
+    ['velocity', 3, 'share'],
+  ])('of %s with %d components are shown as %s', (name, components, quantity) => {
+    expect(showing({ name, components }, settings).quantity).toBe(quantity);
+  });
 });

@@ -35,7 +35,7 @@ function report(variables: VariableReport[], refused: Partial<Report['refused']>
 }
 
 const plain = (text: string) => text.replace(/[\u202f\u00a0]/g, ' ');
-const sentence = (variables: VariableReport[]) => plain(promiseSentence(report(variables)));
+const sentence = (variables: VariableReport[]) => plain(promiseSentence(report(variables), true));
 
 describe('the promise', () => {
   test('states counts, every bound and the one that is used most', () => {
@@ -43,7 +43,7 @@ describe('the promise', () => {
       sentence([variable('position', 0.01, 0.9), variable('pressure', 0.03, 0.99), variable('density', 0.02, 0.3)]),
     ).toBe(
       '806 of 99 980 triangles. Every point within 1 % in space, 3 % in pressure, 2 % in density: proved; ' +
-        'most used: pressure, 2.97 %.',
+        'most used: pressure, 2.97 % (99 % of its bound).',
     );
   });
 
@@ -55,7 +55,14 @@ describe('the promise', () => {
 
   test('claims nothing of free variables, and names them', () => {
     const text = sentence([free('position'), variable('a', 0.03, 0.5), free('b')]);
-    expect(text).toContain('within 3 % in a: proved; most used: a, 1.5 %. Free, so nothing promised: space and b.');
+    expect(text).toContain(
+      'within 3 % in a: proved; most used: a, 1.5 % (50 % of its bound). Free, so nothing promised: space and b.',
+    );
+  });
+
+  test('says of errors that were not measured that they are limits', () => {
+    const propagated = plain(promiseSentence(report([variable('a', 0.03, 0.5)]), false));
+    expect(propagated).toContain('within 3 % in a: proved; most used: a, at most 1.5 % (50 % of its bound).');
   });
 
   test('proves nothing where everything is free', () => {
@@ -64,7 +71,9 @@ describe('the promise', () => {
 
   test('takes the percentage of a constant variable from its magnitude', () => {
     const constant = { ...variable('density', 0, 0.5), constant: true, extent: 0, bound: 15, error: 7.5 };
-    expect(sentence([constant])).toContain('within 3 % in density: proved; most used: density, 1.5 %.');
+    expect(sentence([constant])).toContain(
+      'within 3 % in density: proved; most used: density, 1.5 % (50 % of its bound).',
+    );
   });
 
   test('says so where nothing was changed', () => {

@@ -179,3 +179,74 @@ describe('changing a bound', () => {
     expect(session.state.notices).toEqual([]);
   });
 });
+
+describe('the method', () => {
+  test('is tracked at first, and another one starts a reduction', async () => {
+    const { session, runs } = setUp();
+    await session.openFile(file('a.ply'));
+    expect(runs[0].options).toMatchObject({ errors: 'tracked' });
+    session.setMethod({ errors: 'propagated', cost: 'maximum' });
+    expect(runs[0].options.signal?.aborted).toBe(true);
+    await settled();
+    expect(runs[1].options).toMatchObject({ errors: 'propagated', cost: 'maximum' });
+  });
+
+  test('stays when another surface is opened', async () => {
+    const { session, runs } = setUp();
+    session.setMethod({ errors: 'propagated', cost: 'maximum' });
+    await session.openFile(file('a.ply'));
+    expect(runs).toHaveLength(1);
+    expect(runs[0].options).toMatchObject({ errors: 'propagated', cost: 'maximum' });
+  });
+});
+
+describe('cancelling', () => {
+  test('ends the reduction and leaves the last result', async () => {
+    const { session, runs } = setUp();
+    await session.openFile(file('a.ply'));
+    runs[0].finish();
+    await settled();
+    const { result } = session.state;
+    session.setAllBounds(0.1);
+    await settled();
+    session.cancel();
+    expect(runs[1].options.signal?.aborted).toBe(true);
+    await settled();
+    expect(session.state).toMatchObject({ progress: null, cancelled: true, notices: [{ kind: 'note' }] });
+    expect(session.state.result).toBe(result);
+  });
+
+  test('ends one that has not started yet', async () => {
+    const { session, runs } = setUp();
+    await session.openFile(file('a.ply'));
+    session.setAllBounds(0.1);
+    session.cancel();
+    await settled();
+    expect(runs).toHaveLength(1);
+  });
+
+  test('is over when the reduction is asked for again', async () => {
+    const { session, runs } = setUp();
+    await session.openFile(file('a.ply'));
+    session.cancel();
+    session.reduceAgain();
+    expect(session.state).toMatchObject({ progress: 0, cancelled: false });
+    await settled();
+    runs[1].finish();
+    await settled();
+    expect(session.state.result).not.toBeNull();
+  });
+
+  test('means nothing where nothing runs', () => {
+    const { session } = setUp();
+    session.cancel();
+    expect(session.state.cancelled).toBe(false);
+  });
+});
+
+test('vertices on seams are locked', async () => {
+  const locked = Uint32Array.of(1);
+  const { session, runs } = setUp({ read: async () => ({ ...fileWith(meshWith('pressure')), locked }) });
+  await session.openFile(file('seam.glb'));
+  expect(runs[0].options.locked).toBe(locked);
+});

@@ -1,12 +1,13 @@
 import { css, html, LitElement } from 'lit';
 import type { Sample } from '../session/services.ts';
-import type { OpenSurface, Session } from '../session/session.ts';
+import type { Method, OpenSurface, Session } from '../session/session.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';
 import { controlsStyle } from './controls-style.ts';
 import { FileDrop } from './file-drop.ts';
 import { reducedFileName } from './file-name.ts';
 import './notices.ts';
+import { isMeasured } from './promise-words.ts';
 import type { SavedFormat } from './result-bar.ts';
 import './result-bar.ts';
 import { save } from './save.ts';
@@ -113,7 +114,8 @@ export class App extends LitElement {
   }
 
   override render() {
-    const { surface, bounds, result, opening, progress, notices } = this.session.state;
+    const { surface, bounds, method, result, opening, progress, cancelled, notices } = this.session.state;
+    const measured = result !== null && isMeasured(result);
     return html`
       <meshbound-toolbar
         role="banner"
@@ -131,14 +133,18 @@ export class App extends LitElement {
         <meshbound-bounds-panel
           .surface=${surface}
           .bounds=${bounds}
+          .method=${method}
           .report=${result?.report ?? null}
+          .measured=${measured}
           @bounds-change=${({ detail }: CustomEvent<BoundChange>) => this.#changeBounds(detail)}
+          @method-change=${({ detail }: CustomEvent<Method>) => this.session.setMethod(detail)}
         ></meshbound-bounds-panel>
       </div>
       <div class="stage" role="main">
         <meshbound-stage
           .surface=${surface}
           .result=${result}
+          .reducing=${progress !== null}
           .settings=${this.settings}
           @stage-fault=${({ detail }: CustomEvent<string>) => this.session.report(detail, { lasting: true })}
         ></meshbound-stage>
@@ -150,8 +156,12 @@ export class App extends LitElement {
       <meshbound-result-bar
         role="contentinfo"
         .report=${result?.report ?? null}
+        .measured=${measured}
         .opening=${opening}
         .progress=${progress}
+        .cancelled=${cancelled}
+        @cancel=${() => this.session.cancel()}
+        @reduce-again=${() => this.session.reduceAgain()}
         @save=${({ detail }: CustomEvent<SavedFormat>) => this.#save(detail)}
       ></meshbound-result-bar>
       <div class="drop ${this.#drop.hovering ? 'hovering' : ''}">Drop to open</div>

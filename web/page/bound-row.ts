@@ -19,6 +19,7 @@ export class BoundRow extends LitElement {
     unit: {},
     setting: { attribute: false },
     reached: { attribute: false },
+    measured: { type: Boolean },
   };
 
   static override styles = [
@@ -66,6 +67,8 @@ export class BoundRow extends LitElement {
   declare setting: BoundSetting;
   /** What the last result reached; null while there is none. */
   declare reached: VariableReport | null;
+  /** Whether the error reached was measured; otherwise it is a limit from above. */
+  declare measured: boolean;
 
   override render() {
     const { name } = this.variable;
@@ -108,7 +111,7 @@ export class BoundRow extends LitElement {
   #reached() {
     if (!this.reached) return nothing;
     return html`<span class="error" title="No point of the surface has a larger error than this.">
-      error ${valueText(this.reached.error)}
+      error ${this.measured ? '' : '≤ '}${valueText(this.reached.error)}
     </span>`;
   }
 

@@ -2,9 +2,10 @@ import { css, html, LitElement, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
 import type { Report, VariableExtent } from '../../wasm/index.ts';
 import { type BoundSetting, type BoundSettings, largestFraction } from '../session/bound-setting.ts';
-import type { OpenSurface } from '../session/session.ts';
+import type { Method, OpenSurface } from '../session/session.ts';
 import './bound-row.ts';
 import { controlsStyle } from './controls-style.ts';
+import './method-choice.ts';
 import { percentText } from './number-text.ts';
 import { heldBackSentence } from './promise-words.ts';
 
@@ -12,15 +13,18 @@ import { heldBackSentence } from './promise-words.ts';
 export type BoundChange = { variable: string; setting: BoundSetting } | { all: number };
 
 /**
- * A row for each variable of the surface, one that moves all, and what holds the result back.
+ * A row for each variable of the surface, one that moves all, what holds the result back, and the method.
  *
  * @fires bounds-change with a BoundChange
+ * @fires method-change with a Method
  */
 export class BoundsPanel extends LitElement {
   static override properties = {
     surface: { attribute: false },
     bounds: { attribute: false },
+    method: { attribute: false },
     report: { attribute: false },
+    measured: { type: Boolean },
   };
 
   static override styles = [
@@ -48,8 +52,9 @@ export class BoundsPanel extends LitElement {
       .all meshbound-bound-slider {
         grid-column: 1 / -1;
       }
-      .held {
-        padding-top: 8px;
+      .held,
+      meshbound-method-choice {
+        padding: 8px 0;
         border-top: 1px solid var(--line);
       }
     `,
@@ -57,13 +62,17 @@ export class BoundsPanel extends LitElement {
 
   declare surface: OpenSurface | null;
   declare bounds: BoundSettings;
+  declare method: Method;
   declare report: Report | null;
+  /** Whether the errors of the report were measured; otherwise they are limits from above. */
+  declare measured: boolean;
 
   constructor() {
     super();
     this.surface = null;
     this.bounds = {};
     this.report = null;
+    this.measured = true;
   }
 
   override render() {
@@ -78,6 +87,11 @@ export class BoundsPanel extends LitElement {
         (variable, index) => this.#row(variable, index),
       )}
       ${this.#heldBack()}
+      <meshbound-method-choice
+        .method=${this.method}
+        @method-change=${({ detail }: CustomEvent<Method>) =>
+          this.dispatchEvent(new CustomEvent('method-change', { detail }))}
+      ></meshbound-method-choice>
     `;
   }
 
@@ -106,6 +120,7 @@ export class BoundsPanel extends LitElement {
         .unit=${this.surface?.labels.units[variable.name]}
         .setting=${this.bounds[variable.name]}
         .reached=${this.report?.variables[index] ?? null}
+        .measured=${this.measured}
         @bound-change=${({ detail }: CustomEvent<BoundSetting>) =>
           this.#change({ variable: variable.name, setting: detail })}
       ></meshbound-bound-row>

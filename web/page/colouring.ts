@@ -1,23 +1,28 @@
-import type { Mesh, Reduction, Variable } from '../../wasm/types.ts';
+import type { Mesh, Variable } from '../../wasm/types.ts';
 import type { Colormap } from '../colour/colormaps.ts';
 import { type ColourRange, centredOnZero } from '../colour/colour-range.ts';
-import { cornerShares } from '../colour/error-share.ts';
 import { allVariables, componentsOf, cornerPlaces, type Field, fieldOf, fieldRange } from '../colour/field.ts';
 import type { Labels } from '../formats/surface.ts';
 import type { OpenSurface } from '../session/session.ts';
-import type { ViewSettings } from './view-settings.ts';
+import { valueText } from './number-text.ts';
+import type { Quantity, ViewSettings } from './view-settings.ts';
 
 /** What the colours of a surface mean: all that a legend needs. */
 export interface Meaning {
+  quantity: Quantity;
   title: string;
+  /** What the title leaves open; empty where that is nothing. */
+  detail: string;
   unit: string | undefined;
   map: Colormap;
   /** What the ends of the map stand for. */
   range: ColourRange;
-  /** What the original surface holds. */
-  data: ColourRange;
-  /** Error / bound: a place above 1 is a broken promise. */
-  share: boolean;
+  /** What is written at the two ends of the map; none where its numbers say all. */
+  ends: readonly [lowest: string, highest: string] | null;
+  /** Places above 1 are broken promises. */
+  bounded: boolean;
+  /** There is nothing to show, because the variable has no bound. */
+  free: boolean;
 }
 
 /** The colours of one surface and their meaning. */
@@ -34,29 +39,16 @@ export function valueColouring(mesh: Mesh, { mesh: original, labels }: OpenSurfa
   return {
     places: cornerPlaces(chosenField(mesh, settings), mesh.triangles, range),
     meaning: {
+      quantity: 'values',
       title: chosenTitle(chosenVariable(mesh, settings), labels, settings),
+      detail: '',
       unit: labels.units[settings.variable],
       map: settings.map,
       range,
-      data: whole,
-      share: false,
+      ends: [`min ${valueText(whole.lowest, 4)}`, `max ${valueText(whole.highest, 4)}`],
+      bounded: false,
+      free: false,
     },
-  };
-}
-
-const fullShare: ColourRange = { lowest: 0, highest: 1 };
-
-/** Error / bound of one variable on every triangle of a reduced surface, always over 0…1. */
-export function errorColouring({ triangleErrors, report }: Reduction, variable: string): Colouring {
-  const index = Math.max(
-    0,
-    report.variables.findIndex(({ name }) => name === variable),
-  );
-  const { name, bound } = report.variables[index];
-  const title = `error / bound: ${name}${Number.isFinite(bound) ? '' : ' (free: no bound)'}`;
-  return {
-    places: cornerShares(triangleErrors[index].largest, bound),
-    meaning: { title, unit: undefined, map: 'share', range: fullShare, data: fullShare, share: true },
   };
 }
 

@@ -1,5 +1,5 @@
 import { css, html, LitElement, nothing } from 'lit';
-import { aboveBoundColour, cssColour, cssGradient, missingColour } from '../colour/colormaps.ts';
+import { aboveBoundColour, type Colour, cssColour, cssGradient, missingColour } from '../colour/colormaps.ts';
 import { placeIn, roundTicks } from '../colour/colour-range.ts';
 import type { Meaning } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
@@ -64,7 +64,7 @@ export class Legend extends LitElement {
           width: min(200px, 100%);
           padding: 3px 12px 0;
         }
-        .ends.soft:not(.special) {
+        .ends.values {
           display: none;
         }
       }
@@ -87,31 +87,32 @@ export class Legend extends LitElement {
 
   override render() {
     if (!this.meaning) return nothing;
-    const { title, unit, map, range, share } = this.meaning;
+    const { title, detail, unit, map, range } = this.meaning;
     const ticks = roundTicks(range, tickCount);
     return html`
       <div class="title">${unit && unit !== '1' ? `${title} [${unit}]` : title}</div>
+      ${detail ? html`<div class="soft">${detail}</div>` : nothing}
       <div class="bar" style="background:${cssGradient(map, 'to right')}"></div>
       <div class="ticks">
         ${ticks.map((tick) => html`<span style="left:${100 * placeIn(range, tick)}%">${valueText(tick, 6)}</span>`)}
       </div>
-      ${share ? this.#specialColours() : this.#ends()}
+      ${this.#below(this.meaning)}
     `;
   }
 
-  #ends() {
-    const { lowest, highest } = this.meaning?.data ?? { lowest: 0, highest: 0 };
-    return html`<div class="ends soft">
-      <span>min ${valueText(lowest, 4)}</span><span>max ${valueText(highest, 4)}</span>
+  #below({ quantity, ends, bounded, free }: Meaning) {
+    const [lowest, highest] = ends ?? [];
+    return html`<div class="ends soft ${quantity}">
+      ${ends ? html`<span>${lowest}</span>` : nothing}
+      ${bounded ? swatch(aboveBoundColour, ends ? 'beyond: never' : 'above 1: never') : nothing}
+      ${free ? swatch(missingColour, 'no bound') : nothing}
+      ${ends ? html`<span>${highest}</span>` : nothing}
     </div>`;
   }
+}
 
-  #specialColours() {
-    return html`<div class="ends special soft">
-      <span><span class="swatch" style="background:${cssColour(aboveBoundColour)}"></span>above 1: never</span>
-      <span><span class="swatch" style="background:${cssColour(missingColour)}"></span>no bound</span>
-    </div>`;
-  }
+function swatch(colour: Colour, text: string) {
+  return html`<span><span class="swatch" style="background:${cssColour(colour)}"></span>${text}</span>`;
 }
 
 customElements.define('meshbound-legend', Legend);

@@ -1,4 +1,4 @@
-import type { Report, VariableReport } from '../../wasm/types.ts';
+import type { Reduction, Report, VariableReport } from '../../wasm/types.ts';
 import { countText, percentText, roundedUp } from './number-text.ts';
 
 /** What a relative bound of a variable is a fraction of, in its unit. */
@@ -18,17 +18,24 @@ export function isFree({ bound }: VariableReport): boolean {
   return !Number.isFinite(bound);
 }
 
+/** Whether errors were measured against the original (tracked); otherwise they are limits from above (propagated). */
+export function isMeasured({ vertexErrors }: Reduction): boolean {
+  return vertexErrors !== undefined;
+}
+
 /**
  * The result as the promise states it: "806 of 99 980 triangles. Every point within 1 % in space, 3 % in pressure: proved;
- * most used: pressure, 2.97 %." Claims nothing of a variable without a bound.
+ * most used: pressure, 2.97 % (99 % of its bound)." Claims nothing of a variable without a bound.
+ *
+ * @param measured whether the errors were measured; otherwise they are limits, and the sentence says so
  */
-export function promiseSentence({ triangles, variables }: Report): string {
+export function promiseSentence({ triangles, variables }: Report, measured: boolean): string {
   const counted = `${countText(triangles.after)} of ${countText(triangles.before)} triangles.`;
   const bounded = variables.filter((variable) => !isFree(variable));
   const free = variables.filter(isFree).map(placeName);
   const freed = free.length > 0 ? ` Free, so nothing promised: ${listed(free)}.` : '';
   if (bounded.length === 0) return `${counted}${freed}`;
-  return `${counted} Every point within ${boundsPhrase(bounded)}: proved; ${mostUsed(bounded)}.${freed}`;
+  return `${counted} Every point within ${boundsPhrase(bounded)}: proved; ${mostUsed(bounded, measured)}.${freed}`;
 }
 
 /** "1 % in space, 3 % in pressure and density": variables with the same bound stand together, in their order. */
@@ -41,10 +48,11 @@ function boundsPhrase(bounded: VariableReport[]): string {
   return [...together].map(([bound, names]) => `${bound} in ${listed(names)}`).join(', ');
 }
 
-function mostUsed(bounded: VariableReport[]): string {
+function mostUsed(bounded: VariableReport[], measured: boolean): string {
   const most = bounded.reduce((best, next) => (next.ratio > best.ratio ? next : best));
   if (most.ratio === 0) return 'no error at all';
-  return `most used: ${placeName(most)}, ${percentText(roundedUp(most.error / wholeOf(most)))}`;
+  const error = percentText(roundedUp(most.error / wholeOf(most)));
+  return `most used: ${placeName(most)}, ${measured ? '' : 'at most '}${error} (${percentText(most.ratio)} of its bound)`;
 }
 
 /** Why vertices that are still there could not go, as shares of them all: "Held back by pressure 61 %, folds 22 %." */

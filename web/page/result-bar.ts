@@ -12,12 +12,16 @@ export type SavedFormat = (typeof savedFormats)[number];
  * The result as one sentence, what it cost, and where to take it.
  *
  * @fires save with a SavedFormat
+ * @fires cancel
+ * @fires reduce-again
  */
 export class ResultBar extends LitElement {
   static override properties = {
     report: { attribute: false },
+    measured: { type: Boolean },
     opening: {},
     progress: { attribute: false },
+    cancelled: { type: Boolean },
   };
 
   static override styles = [
@@ -44,6 +48,15 @@ export class ResultBar extends LitElement {
         align-items: center;
         white-space: nowrap;
       }
+      /* Most reductions end before anyone could want to cancel them: no button flashes up. */
+      .cancel {
+        animation: appear 0s 0.4s both;
+      }
+      @keyframes appear {
+        from {
+          visibility: hidden;
+        }
+      }
       .progress {
         position: absolute;
         top: -1px;
@@ -56,16 +69,22 @@ export class ResultBar extends LitElement {
 
   /** Of the last result; null where there is none. */
   declare report: Report | null;
+  /** Whether the errors of the report were measured; otherwise they are limits from above. */
+  declare measured: boolean;
   /** The file that is being read. */
   declare opening: string | null;
   /** Of the running reduction, 0…1; null where none runs. */
   declare progress: number | null;
+  /** The last reduction was cancelled. */
+  declare cancelled: boolean;
 
   constructor() {
     super();
     this.report = null;
+    this.measured = true;
     this.opening = null;
     this.progress = null;
+    this.cancelled = false;
   }
 
   override render() {
@@ -75,7 +94,7 @@ export class ResultBar extends LitElement {
           ? nothing
           : html`<div class="progress" aria-hidden="true" style="width:${100 * this.progress}%"></div>`
       }
-      <p class="sentence" role="status">${this.report ? promiseSentence(this.report) : ''}</p>
+      <p class="sentence" role="status">${this.report ? promiseSentence(this.report, this.measured) : ''}</p>
       <span class="numbers soft">${this.#numbers()}</span>
       <span class="saves">
         ${savedFormats.map(
@@ -89,7 +108,15 @@ export class ResultBar extends LitElement {
 
   #numbers() {
     if (this.opening !== null) return html`<span>Reading ${this.opening}…</span>`;
-    if (this.progress !== null) return html`<span>Reducing… ${Math.round(100 * this.progress)}&nbsp;%</span>`;
+    if (this.progress !== null) {
+      return html`<span>Reducing… ${Math.round(100 * this.progress)}&nbsp;%</span>
+        <button class="cancel" @click=${() => this.#fire('cancel')}>Cancel</button>`;
+    }
+    if (this.cancelled) {
+      const kept = this.report ? 'The result shown, and saved, is the one before.' : '';
+      return html`<span title=${kept}>Cancelled</span>
+        <button @click=${() => this.#fire('reduce-again')}>Reduce</button>`;
+    }
     if (!this.report) return nothing;
     const { triangles, seconds } = this.report;
     const removed = 1 - triangles.after / triangles.before;
@@ -98,6 +125,10 @@ export class ResultBar extends LitElement {
 
   #save(format: SavedFormat): void {
     this.dispatchEvent(new CustomEvent('save', { detail: format }));
+  }
+
+  #fire(event: string): void {
+    this.dispatchEvent(new CustomEvent(event));
   }
 }
 

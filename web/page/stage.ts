@@ -5,8 +5,9 @@ import type { OpenSurface } from '../session/session.ts';
 import { type Frame, frameOf } from '../viewer/frame.ts';
 import type { ShownColour } from '../viewer/lookup-material.ts';
 import { Viewer } from '../viewer/viewer.ts';
-import { type Colouring, errorColouring, type Meaning, valueColouring } from './colouring.ts';
+import { type Colouring, type Meaning, valueColouring } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
+import { originalErrors, reducedErrors, unknownErrors } from './error-colouring.ts';
 import './legend.ts';
 import { countText } from './number-text.ts';
 import { firstView, type ViewSettings } from './view-settings.ts';
@@ -26,7 +27,7 @@ export class Stage extends LitElement {
     surface: { attribute: false },
     result: { attribute: false },
     settings: { attribute: false },
-    progress: { type: Number },
+    reducing: { type: Boolean },
     meanings: { state: true },
   };
 
@@ -92,8 +93,7 @@ export class Stage extends LitElement {
   declare surface: OpenSurface | null;
   declare result: Reduction | null;
   declare settings: ViewSettings;
-  /** Of the running reduction, 0…1; null where none runs. */
-  declare progress: number | null;
+  declare reducing: boolean;
   /** What the colours of each side mean. */
   declare meanings: (Meaning | null)[];
 
@@ -101,13 +101,15 @@ export class Stage extends LitElement {
   #frame: Frame = { centre: [0, 0, 0], radius: 1 };
   /** What each side has drawn. */
   #drawn: (Mesh | null)[] = [null, null];
+  /** The result that the reduced side has drawn: errors on the original side are its errors. */
+  #drawnResult: Reduction | null = null;
 
   constructor() {
     super();
     this.surface = null;
     this.result = null;
     this.settings = firstView;
-    this.progress = null;
+    this.reducing = false;
     this.meanings = [null, null];
   }
 
@@ -140,7 +142,7 @@ export class Stage extends LitElement {
   }
 
   #reducedCaption() {
-    if (!this.result) return html`<span class="soft">${this.surface ? 'Reducing…' : 'Reduced'}</span>`;
+    if (!this.result) return html`<span class="soft">${this.reducing ? 'Reducing…' : 'Not reduced'}</span>`;
     return html`Reduced <b>${countText(this.result.report.triangles.after)}</b> triangles`;
   }
 
@@ -158,7 +160,7 @@ export class Stage extends LitElement {
   override updated(changed: Map<string, unknown>): void {
     if (!this.#viewer) return;
     if (changed.has('surface')) this.#showOriginal();
-    if (changed.has('surface') || changed.has('result')) this.#show(reduced, this.result?.mesh ?? null);
+    if (changed.has('surface') || changed.has('result')) this.#showReduced();
     if (changed.has('settings')) this.#applySettings(this.#viewer);
   }
 
@@ -172,20 +174,31 @@ export class Stage extends LitElement {
     this.#show(original, this.surface?.mesh ?? null);
   }
 
-  #show(side: number, mesh: Mesh | null): void {
+  #showReduced(): void {
+    const { result } = this;
+    this.#show(reduced, result?.mesh ?? null, () => {
+      this.#drawnResult = result;
+      if (this.settings.quantity !== 'values') this.#repaint(original);
+    });
+  }
+
+  #show(side: number, mesh: Mesh | null, drawn = () => {}): void {
     void this.#viewer?.show(side, mesh, this.#frame, () => {
       this.#drawn[side] = mesh;
+      drawn();
       return this.#paint(side);
     });
+  }
+
+  /** What is about to be replaced keeps its colours; what replaces it takes the new settings when it is drawn. */
+  #repaint(side: number): void {
+    if (this.#drawn[side] === this.#due(side)) this.#viewer?.recolour(side, this.#paint(side));
   }
 
   #applySettings(viewer: Viewer): void {
     viewer.cameras.linked = this.settings.linked;
     viewer.edges = this.settings.edges;
-    for (const side of [original, reduced]) {
-      // What is about to be replaced keeps its colours; what replaces it takes the new settings when it is drawn.
-      if (this.#drawn[side] === this.#due(side)) viewer.recolour(side, this.#paint(side));
-    }
+    for (const side of [original, reduced]) this.#repaint(side);
   }
 
   /** Makes map and legend of a side those of what it has drawn, and returns the places of its corners in the map. */
@@ -196,7 +209,7 @@ export class Stage extends LitElement {
     if (!colouring) return new Float32Array();
     this.#viewer?.setLookup(side, {
       table: colourTable(colouring.meaning.map),
-      markAbove: colouring.meaning.share,
+      markAbove: colouring.meaning.quantity !== 'values',
       above: shown(aboveBoundColour),
       missing: shown(missingColour),
     });
@@ -210,10 +223,16 @@ export class Stage extends LitElement {
 
   #colouring(side: number): Colouring | null {
     const mesh = this.#drawn[side];
-    if (!mesh || !this.surface) return null;
-    const { errorOf } = this.settings;
-    if (this.result?.mesh === mesh && errorOf !== null) return errorColouring(this.result, errorOf);
-    return valueColouring(mesh, this.surface, this.settings);
+    const [surface, result] = [this.surface, this.#drawnResult];
+    if (!mesh || !surface) return null;
+    if (this.settings.quantity === 'values' || !result) return valueColouring(mesh, surface, this.settings);
+    if (side === reduced) return reducedErrors(result, surface.labels, this.settings);
+    return originalErrors(mesh, result, surface.labels, this.settings) ?? this.#valuesInstead(mesh, surface);
+  }
+
+  #valuesInstead(mesh: Mesh, surface: OpenSurface): Colouring {
+    const { places, meaning } = valueColouring(mesh, surface, this.settings);
+    return { places, meaning: { ...meaning, detail: unknownErrors } };
   }
 
   #pressKey(side: number, event: KeyboardEvent): void {

@@ -2,15 +2,25 @@ import { css, html, LitElement } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { type ValueColormap, valueColormaps } from '../colour/colormaps.ts';
 import { componentsOf } from '../colour/field.ts';
-import type { Format } from '../formats/surface.ts';
+import { formatNames } from '../formats/format-names.ts';
 import type { BoundSettings } from '../session/bound-setting.ts';
 import type { Sample } from '../session/services.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { controlsStyle } from './controls-style.ts';
-import { firstView, type ViewSettings } from './view-settings.ts';
+import { firstView, hasSign, type Quantity, showing, type ViewSettings } from './view-settings.ts';
 
-/** What the file dialogue offers; a file that is dropped is judged by its content. */
-const openedFormats: Format[] = ['ply', 'vtp', 'vtk', 'obj', 'stl'];
+/** What the file dialogue offers: a glTF may also be text, and all may be packed. The content of a file decides what it is. */
+const offeredEndings = [...Object.keys(formatNames), 'gltf', 'gz'].map((ending) => `.${ending}`).join();
+
+const quantities: Record<Quantity, string> = { values: 'values', share: 'error / bound', signed: 'signed error' };
+
+/** A variable, or a component of one, to be looked at. */
+interface Choice {
+  view: ViewSettings;
+  selected: boolean;
+  disabled: boolean;
+  text: string;
+}
 
 /**
  * File, sample, colours and view.
@@ -62,11 +72,11 @@ export class Toolbar extends LitElement {
         width: 150px;
         text-overflow: ellipsis;
       }
+      select.middle {
+        width: 138px;
+      }
       select.narrow {
         width: 104px;
-      }
-      select.wide {
-        width: 200px;
       }
       @media (max-width: 800px) {
         .view {
@@ -77,9 +87,6 @@ export class Toolbar extends LitElement {
         }
         select.narrow {
           width: 96px;
-        }
-        select.wide {
-          width: 160px;
         }
       }
     `,
@@ -113,7 +120,7 @@ export class Toolbar extends LitElement {
   #fileControls() {
     return html`
       <button @click=${this.#browse}>Open…</button>
-      <input type="file" hidden accept=${openedFormats.map((format) => `.${format}`).join()} @change=${this.#openFile} />
+      <input type="file" hidden accept=${offeredEndings} @change=${this.#openFile} />
       <label>
         <span class="soft">Sample</span>
         <select @change=${this.#openSample}>
@@ -128,44 +135,72 @@ export class Toolbar extends LitElement {
   }
 
   #colourControls() {
-    const { map, errorOf } = this.settings;
+    const { map, quantity } = this.settings;
     return html`
       <label><span class="soft">Colour</span>${this.#variableChoice()}</label>
-      <label>
+      <label><span class="soft">Show</span>${this.#quantityChoice()}</label>
+      <label title=${quantity === 'values' ? '' : 'Errors have colour maps of their own.'}>
         <span class="soft">Map</span>
-        <select class="narrow" @change=${(event: Event) => this.#change({ map: chosen(event) as ValueColormap })}>
-          ${valueColormaps.map((name) => html`<option .selected=${live(name === map)}>${name}</option>`)}
-        </select>
-      </label>
-      <label>
-        <span class="soft">Reduced shows</span>
-        <select class="wide"
-          @change=${(event: Event) => this.#change({ errorOf: chosen(event) === '' ? null : chosen(event) })}
+        <select
+          class="narrow"
+          ?disabled=${quantity !== 'values'}
+          @change=${(event: Event) => this.#change({ map: chosen(event) as ValueColormap })}
         >
-          <option value="" .selected=${live(errorOf === null)}>values</option>
-          ${this.surface?.variables.map(
-            ({ name }) =>
-              html`<option value=${name} .selected=${live(name === errorOf)} ?disabled=${this.bounds[name]?.free}>
-                  error / bound, ${name}
-                </option>`,
-          )}
+          ${valueColormaps.map((name) => html`<option .selected=${live(name === map)}>${name}</option>`)}
         </select>
       </label>
     `;
   }
 
+  #quantityChoice() {
+    const variable = this.surface?.variables.find(({ name }) => name === this.settings.variable);
+    return html`<select
+      class="middle"
+      @change=${(event: Event) => this.#change({ quantity: chosen(event) as Quantity })}
+    >
+      ${Object.entries(quantities).map(
+        ([name, text]) =>
+          html`<option
+            value=${name}
+            .selected=${live(name === this.settings.quantity)}
+            ?disabled=${name === 'signed' && variable && !hasSign(variable)}
+          >
+            ${text}
+          </option>`,
+      )}
+    </select>`;
+  }
+
+  /** Values are chosen by component; an error is that of a whole variable. */
   #variableChoice() {
+    const choices = this.settings.quantity === 'values' ? this.#valueChoices() : this.#errorChoices();
+    return html`<select @change=${(event: Event) => this.#change(choices[Number(chosen(event))].view)}>
+      ${choices.map(
+        ({ selected, disabled, text }, index) =>
+          html`<option value=${index} .selected=${live(selected)} ?disabled=${disabled}>${text}</option>`,
+      )}
+    </select>`;
+  }
+
+  #valueChoices(): Choice[] {
     const names = this.surface?.labels.componentNames ?? {};
-    const choices = (this.surface?.variables ?? []).flatMap(({ name, components }) =>
-      componentsOf(components, names[name]).map(({ component, label }) => ({
-        choice: { variable: name, component },
-        selected: name === this.settings.variable && component === this.settings.component,
-        text: components === 1 ? name : `${name}, ${label}`,
+    return (this.surface?.variables ?? []).flatMap((variable) =>
+      componentsOf(variable.components, names[variable.name]).map(({ component, label }) => ({
+        view: { ...showing(variable, this.settings), component },
+        selected: variable.name === this.settings.variable && component === this.settings.component,
+        disabled: false,
+        text: variable.components === 1 ? variable.name : `${variable.name}, ${label}`,
       })),
     );
-    return html`<select @change=${(event: Event) => this.#change(choices[Number(chosen(event))].choice)}>
-      ${choices.map(({ selected, text }, index) => html`<option value=${index} .selected=${live(selected)}>${text}</option>`)}
-    </select>`;
+  }
+
+  #errorChoices(): Choice[] {
+    return (this.surface?.variables ?? []).map((variable) => ({
+      view: showing(variable, this.settings),
+      selected: variable.name === this.settings.variable,
+      disabled: this.settings.quantity === 'share' && this.bounds[variable.name]?.free === true,
+      text: variable.name,
+    }));
   }
 
   #viewControls() {

@@ -4,6 +4,8 @@ import type { Labels } from '../formats/surface.ts';
 /** What a file holds. */
 export interface OpenedFile {
   mesh: Mesh;
+  /** Vertices that must stay, because the file has seams there. */
+  locked?: Uint32Array;
   /** What the reader did to the file that its owner should know. */
   notes: string[];
   labels: Labels;

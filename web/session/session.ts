@@ -1,4 +1,4 @@
-import type { Inspection, Mesh, Reduction, VariableExtent } from '../../wasm/index.ts';
+import type { Inspection, Mesh, ReduceOptions, Reduction, VariableExtent } from '../../wasm/index.ts';
 import type { Labels } from '../formats/surface.ts';
 import { asBounds, type BoundSetting, type BoundSettings, defaultBounds, moveAll } from './bound-setting.ts';
 import { messageOf, nonFiniteVariable } from './failure.ts';
@@ -22,7 +22,12 @@ export interface OpenSurface extends Source {
   labels: Labels;
   /** Position first, then the mesh's variables in their order. */
   variables: VariableExtent[];
+  /** Vertices that must stay, because the file has seams there. */
+  locked: Uint32Array | undefined;
 }
+
+/** How errors are accounted for, and what retriangulation makes small where they are propagated. */
+export type Method = Required<Pick<ReduceOptions, 'errors' | 'cost'>>;
 
 /** Something to tell the user, until dismissed. */
 export interface Notice {
@@ -41,8 +46,11 @@ export interface SessionState {
   opening: string | null;
   surface: OpenSurface | null;
   bounds: BoundSettings;
+  method: Method;
   /** Of the running reduction, 0…1; null where none runs. */
   progress: number | null;
+  /** The user stopped the last reduction: a result is that of the one before. */
+  cancelled: boolean;
   /** The last good reduction of this surface. */
   result: Reduction | null;
   notices: readonly Notice[];
@@ -50,6 +58,17 @@ export interface SessionState {
 
 /** A slider that is being dragged sends many changes; a reduction starts when it rests this long, in milliseconds. */
 const restBeforeRun = 60;
+
+const emptyState: SessionState = {
+  opening: null,
+  surface: null,
+  bounds: {},
+  method: { errors: 'tracked', cost: 'introduced' },
+  progress: null,
+  cancelled: false,
+  result: null,
+  notices: [],
+};
 
 /**
  * What is open, what is asked of it and what came of it. Emits `change` whenever its state changes. A fault leaves the
@@ -61,7 +80,7 @@ export class Session extends EventTarget {
   #reducing = new Latest();
   #timer: ReturnType<typeof setTimeout> | undefined;
   #lastNotice = 0;
-  #state: SessionState = { opening: null, surface: null, bounds: {}, progress: null, result: null, notices: [] };
+  #state = emptyState;
 
   constructor(services: Services) {
     super();
@@ -91,6 +110,28 @@ export class Session extends EventTarget {
     this.#setBounds(moveAll(this.#state.bounds, fraction));
   }
 
+  setMethod(method: Method): void {
+    this.#update({ method });
+    this.reduceAgain();
+  }
+
+  /** Starts the reduction anew, as soon as nothing else changes; one that runs is of no more use. */
+  reduceAgain(): void {
+    if (!this.#state.surface) return;
+    this.#reducing.abort();
+    this.#update({ progress: 0, cancelled: false });
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => void this.#reduce(), restBeforeRun);
+  }
+
+  /** Stops the running reduction. The last result, if there is one, stays. */
+  cancel(): void {
+    if (this.#state.progress === null) return;
+    clearTimeout(this.#timer);
+    this.#reducing.abort();
+    this.#update({ progress: null, cancelled: true });
+  }
+
   /** Tells the user of a fault; a lasting one is not about the file that is open. */
   report(error: unknown, { lasting = false } = {}): void {
     this.#notify({ kind: 'error', text: messageOf(error), lasting });
@@ -115,11 +156,11 @@ export class Session extends EventTarget {
     }
   }
 
-  #adopt(source: Source, { mesh, labels, notes }: OpenedFile, { variables, oddities }: Inspection): void {
+  #adopt(source: Source, { mesh, labels, notes, locked }: OpenedFile, { variables, oddities }: Inspection): void {
     this.#reducing.abort();
-    const surface = { ...source, mesh, labels, variables };
+    const surface = { ...source, mesh, labels, variables, locked };
     const bounds = defaultBounds(variables.map((variable) => variable.name));
-    this.#update({ opening: null, surface, bounds, progress: 0, result: null });
+    this.#update({ opening: null, surface, bounds, progress: 0, cancelled: false, result: null });
     for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
     void this.#reduce();
   }
@@ -138,23 +179,22 @@ export class Session extends EventTarget {
 
   #setBounds(bounds: BoundSettings): void {
     if (!this.#state.surface) return;
-    this.#reducing.abort();
-    this.#update({ bounds, progress: 0 });
-    clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => void this.#reduce(), restBeforeRun);
+    this.#update({ bounds });
+    this.reduceAgain();
   }
 
   /** From the original, so that the result does not depend on which way the sliders took. */
   async #reduce(): Promise<void> {
     clearTimeout(this.#timer);
-    const { surface, bounds } = this.#state;
+    const { surface, bounds, method } = this.#state;
     if (!surface) return;
     try {
       const result = await this.#reducing.run((signal) => {
         const onProgress = (progress: number) => {
           if (!signal.aborted) this.#update({ progress });
         };
-        return this.#services.reduce(surface.mesh, { bounds: asBounds(bounds), signal, onProgress });
+        const options = { bounds: asBounds(bounds), ...method, locked: surface.locked, signal, onProgress };
+        return this.#services.reduce(surface.mesh, options);
       });
       if (result !== superseded) this.#update({ result, progress: null });
     } catch (error) {

@@ -49,9 +49,12 @@ out vec4 colour;
 const vec3 lightFrom = normalize(vec3(0.35, 0.45, 1.0));
 const float darkest = 0.6;
 
+/** Interpolating equal numbers may miss them by rounding: no place is above 1 for that. */
+const float rounding = 1e-5;
+
 vec3 lookUp(float place) {
-  if (place < 0.0) return missingColour;
-  if (markAbove && place > 1.0) return aboveColour;
+  if (place < -0.5) return missingColour;
+  if (markAbove && place > 1.0 + rounding) return aboveColour;
   // The ends of the map are the centres of the first and the last texel.
   float texels = float(textureSize(map, 0).x);
   return texture(map, vec2((clamp(place, 0.0, 1.0) * (texels - 1.0) + 0.5) / texels, 0.5)).rgb;
@@ -91,8 +94,9 @@ export interface LookupUniforms {
 }
 
 /**
- * Draws triangles whose attribute `place` says where in the map each corner stands, 0…1; negative where there is
- * nothing to show. The place is interpolated and the colour looked up for every fragment: blending the colours of the vertices would show colours that are not in the map.
+ * Draws triangles whose attribute `place` says where in the map each corner stands, 0…1; −1 at all three where there is
+ * nothing to show. The place is interpolated and the colour looked up for every fragment: blending the colours of the
+ * vertices would show colours that are not in the map.
  */
 export function lookupMaterial(uniforms: LookupUniforms): RawShaderMaterial {
   return new RawShaderMaterial({

@@ -1,0 +1,117 @@
+import { describe, expect, test } from 'vitest';
+import type { Mesh, Reduction, TriangleErrors, VariableReport, VertexErrors } from '../../wasm/types.ts';
+import { originalErrors, reducedErrors } from '../../web/page/error-colouring.ts';
+import { firstView, type Quantity, type ViewSettings } from '../../web/page/view-settings.ts';
+
+const labels = { units: { t: 'K' }, componentNames: {} };
+const mesh: Mesh = { position: new Float32Array(9), triangles: Uint32Array.of(0, 1, 2), variables: [] };
+
+const plain = (text = '') => text.replaceAll('\u00a0', ' ');
+const view = (variable: string, quantity: Quantity): ViewSettings => ({ ...firstView, variable, quantity });
+
+interface Reached {
+  bound?: number;
+  errors?: number[];
+  signed?: number[];
+  interval?: [number, number];
+}
+
+/** A reduction of a triangle to itself, whose position and variable `t` both have the given errors. */
+function reduction(
+  { bound = 4, errors = [0, 1, 2], signed = [0, -1, 2], interval = [-1, 2] }: Reached,
+  tracked = true,
+): Reduction {
+  const largest = Math.max(...interval.map(Math.abs));
+  const variables = ['position', 't'].map((name) => ({ name, bound, error: largest }) as VariableReport);
+  const ofTriangles: TriangleErrors = {
+    largest: Float32Array.of(largest),
+    lowest: Float32Array.of(interval[0]),
+    highest: Float32Array.of(interval[1]),
+  };
+  const ofVertices: VertexErrors = { error: Float32Array.from(errors), signedError: Float32Array.from(signed) };
+  return {
+    mesh,
+    report: { variables },
+    triangleErrors: [ofTriangles, ofTriangles],
+    vertexErrors: tracked ? [ofVertices, ofVertices] : undefined,
+  } as Reduction;
+}
+
+const propagated = (reached: Reached) => reduction(reached, false);
+
+describe('error / bound', () => {
+  const settings = view('t', 'share');
+
+  test('of the original is that of every vertex', () => {
+    const colouring = originalErrors(mesh, reduction({}), labels, settings);
+    expect([...(colouring?.places ?? [])]).toEqual([0, 0.25, 0.5]);
+    expect(colouring?.meaning).toMatchObject({
+      title: 'error / bound: t',
+      detail: 'true error at each vertex',
+      unit: undefined,
+      map: 'share',
+      range: { lowest: 0, highest: 1 },
+    });
+  });
+
+  test('of the reduced surface is the largest in each triangle, flat', () => {
+    const { places, meaning } = reducedErrors(reduction({}), labels, settings);
+    expect([...places]).toEqual([0.5, 0.5, 0.5]);
+    expect(meaning).toMatchObject({ title: 'error / bound: t', detail: 'largest error in each triangle' });
+  });
+
+  test('with propagated errors is not known of the original, and a limit on the reduced surface', () => {
+    expect(originalErrors(mesh, propagated({}), labels, settings)).toBeNull();
+    expect(reducedErrors(propagated({}), labels, settings).meaning.detail).toBe(
+      'upper limit of the error in each triangle',
+    );
+  });
+
+  test('of a free variable is nothing', () => {
+    const { places, meaning } = reducedErrors(reduction({ bound: Infinity }), labels, settings);
+    expect(Math.max(...places)).toBeLessThan(0);
+    expect(meaning).toMatchObject({ title: 'error / bound: t (free: no bound)', free: true, bounded: false });
+  });
+});
+
+describe('signed errors', () => {
+  const settings = view('t', 'signed');
+
+  test('range from −bound to +bound on both sides, in the unit of the variable', () => {
+    const original = originalErrors(mesh, reduction({}), labels, settings);
+    const reduced = reducedErrors(reduction({}), labels, settings);
+    expect([...(original?.places ?? [])]).toEqual([0.5, 0.375, 0.75]);
+    expect([...reduced.places]).toEqual([0.75, 0.75, 0.75]);
+    for (const meaning of [original?.meaning, reduced.meaning]) {
+      expect(meaning).toMatchObject({
+        title: 'signed error: t',
+        unit: 'K',
+        map: 'diverging',
+        range: { lowest: -4, highest: 4 },
+        ends: ['−bound', '+bound'],
+      });
+      expect(plain(meaning?.detail)).toContain('original − reduced');
+    }
+  });
+
+  test('of a triangle are the larger in size', () => {
+    const { places } = reducedErrors(reduction({ interval: [-4, 2] }), labels, settings);
+    expect([...places]).toEqual([0, 0, 0]);
+  });
+
+  test('of a free variable reach as far as the largest', () => {
+    const { meaning } = reducedErrors(reduction({ bound: Infinity }), labels, settings);
+    expect(meaning).toMatchObject({ range: { lowest: -2, highest: 2 }, ends: ['−largest', '+largest'] });
+  });
+
+  test('of position say which side is positive', () => {
+    const { meaning } = reducedErrors(reduction({}), labels, view('position', 'signed'));
+    expect(meaning.detail).toContain('+ where the reduced surface is outside');
+  });
+
+  test('of position, propagated, are no broken promise where their sum exceeds the bound', () => {
+    const { places, meaning } = reducedErrors(propagated({ interval: [-7, 1] }), labels, view('position', 'signed'));
+    expect([...places]).toEqual([0, 0, 0]);
+    expect(meaning).toMatchObject({ range: { lowest: -7, highest: 7 }, bounded: false });
+  });
+});

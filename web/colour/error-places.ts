@@ -1,0 +1,50 @@
+/** Errors are rounded up to single precision, so one that equals its bound may stand this fraction above it. */
+const roundedUp = 2 ** -23;
+
+/** Stands for a place where there is none to show; a surface is drawn there in the colour of the missing. */
+const nowhere = -1;
+
+/** The place of an error in a map; above 1 a broken promise, −1 where there is nothing to show. */
+export type PlaceOf = (error: number) => number;
+
+/** Error / bound: 0 no error, 1 all that is allowed. Nothing to show where the variable is free (its bound is not finite). */
+export function placeByShare(bound: number): PlaceOf {
+  if (!Number.isFinite(bound)) return () => nowhere;
+  return (error) => shareOf(error, bound);
+}
+
+/** Signed errors in a map centred on zero: 0 is −reach, ½ is no error, 1 is +reach. */
+export function placeBySign(reach: number): PlaceOf {
+  return (error) => {
+    const share = shareOf(Math.abs(error), reach);
+    // Beyond either end is beyond the bound.
+    if (share > 1) return share;
+    return (1 + Math.sign(error) * share) / 2;
+  };
+}
+
+function shareOf(error: number, whole: number): number {
+  if (error === 0) return 0;
+  const share = error / whole;
+  return share > 1 && share <= 1 + roundedUp ? 1 : share;
+}
+
+/** The places of errors of triangles, flat: the same at the three corners of each. */
+export function flatPlaces(errors: Float32Array, placeOf: PlaceOf): Float32Array {
+  const places = new Float32Array(3 * errors.length);
+  errors.forEach((error, triangle) => {
+    places.fill(placeOf(error), 3 * triangle, 3 * triangle + 3);
+  });
+  return places;
+}
+
+/** The places of errors of vertices at the triangles' corners, to be interpolated. */
+export function vertexPlaces(errors: Float32Array, triangles: Uint32Array, placeOf: PlaceOf): Float32Array {
+  const ofVertices = errors.map(placeOf);
+  return Float32Array.from(triangles, (vertex) => ofVertices[vertex]);
+}
+
+/** Of two signed errors for each triangle the one that is larger in size, with its sign. */
+export function largerInSize(lowest: Float32Array, highest: Float32Array): Float32Array {
+  return lowest.map((low, triangle) => (-low > highest[triangle] ? low : highest[triangle]));
+}

@@ -1,0 +1,122 @@
+import type { Mesh, Reduction, TriangleErrors } from '../../wasm/types.ts';
+import {
+  flatPlaces,
+  largerInSize,
+  type PlaceOf,
+  placeByShare,
+  placeBySign,
+  vertexPlaces,
+} from '../colour/error-places.ts';
+import type { Labels } from '../formats/surface.ts';
+import type { Colouring, Meaning } from './colouring.ts';
+import { isFree, isMeasured } from './promise-words.ts';
+import type { ViewSettings } from './view-settings.ts';
+
+/** What the legend of an original says that keeps its values where errors are looked at. */
+export const unknownErrors = 'values: with propagated errors, the errors at its vertices are not known';
+
+/**
+ * The errors of the chosen variable on the original surface: that of every vertex, to be interpolated. Null where they are
+ * not known (propagated errors).
+ */
+export function originalErrors(
+  { triangles }: Mesh,
+  reduction: Reduction,
+  labels: Labels,
+  settings: ViewSettings,
+): Colouring | null {
+  const errors = reduction.vertexErrors?.[chosenIndex(reduction, settings)];
+  if (!errors) return null;
+  const { placeOf, meaning } = scaleOf(reduction, labels, settings);
+  const shown = settings.quantity === 'signed' ? errors.signedError : errors.error;
+  const detail = `true error at each vertex${signNote(reduction, settings)}`;
+  return { places: vertexPlaces(shown, triangles, placeOf), meaning: { ...meaning, detail } };
+}
+
+/** The errors of the chosen variable on the reduced surface: the largest in every triangle, flat. */
+export function reducedErrors(reduction: Reduction, labels: Labels, settings: ViewSettings): Colouring {
+  const { largest, lowest, highest } = reduction.triangleErrors[chosenIndex(reduction, settings)];
+  const { placeOf, meaning } = scaleOf(reduction, labels, settings);
+  const shown = settings.quantity === 'signed' ? largerInSize(lowest, highest) : largest;
+  const which = isMeasured(reduction) ? 'largest error in each triangle' : 'upper limit of the error in each triangle';
+  return {
+    places: flatPlaces(shown, placeOf),
+    meaning: { ...meaning, detail: `${which}${signNote(reduction, settings)}` },
+  };
+}
+
+function chosenIndex({ report }: Reduction, { variable }: ViewSettings): number {
+  return Math.max(
+    0,
+    report.variables.findIndex(({ name }) => name === variable),
+  );
+}
+
+/** How errors become places in a map, and what that means; the same for both surfaces. */
+interface Scale {
+  placeOf: PlaceOf;
+  meaning: Omit<Meaning, 'detail'>;
+}
+
+function scaleOf(reduction: Reduction, labels: Labels, settings: ViewSettings): Scale {
+  return settings.quantity === 'signed' ? signScale(reduction, labels, settings) : shareScale(reduction, settings);
+}
+
+/** Error / bound, always over 0…1. */
+function shareScale(reduction: Reduction, settings: ViewSettings): Scale {
+  const variable = reduction.report.variables[chosenIndex(reduction, settings)];
+  const free = isFree(variable);
+  return {
+    placeOf: placeByShare(variable.bound),
+    meaning: {
+      quantity: 'share',
+      title: `error / bound: ${variable.name}${free ? ' (free: no bound)' : ''}`,
+      unit: undefined,
+      map: 'share',
+      range: { lowest: 0, highest: 1 },
+      ends: null,
+      bounded: !free,
+      free,
+    },
+  };
+}
+
+/** Signed errors in the variable's unit, from −bound to +bound; as far as they reach where no bound holds them. */
+function signScale(reduction: Reduction, labels: Labels, settings: ViewSettings): Scale {
+  const index = chosenIndex(reduction, settings);
+  const variable = reduction.report.variables[index];
+  const bounded = !isFree(variable) && !isDiagnostic(reduction, settings);
+  const largest = isDiagnostic(reduction, settings) ? largestSize(reduction.triangleErrors[index]) : variable.error;
+  const reach = bounded ? variable.bound : largest;
+  const end = bounded ? 'bound' : 'largest';
+  return {
+    placeOf: placeBySign(reach),
+    meaning: {
+      quantity: 'signed',
+      title: `signed error: ${variable.name}`,
+      unit: labels.units[variable.name],
+      map: 'diverging',
+      range: { lowest: -reach, highest: reach },
+      ends: [`\u2212${end}`, `+${end}`],
+      bounded,
+      free: false,
+    },
+  };
+}
+
+/** Propagated distances along normals are added up while the normals turn: the bound does not hold them (§3.3.1). */
+function isDiagnostic(reduction: Reduction, { variable }: ViewSettings): boolean {
+  return variable === 'position' && !isMeasured(reduction);
+}
+
+function largestSize({ lowest, highest }: TriangleErrors): number {
+  return largerInSize(lowest, highest).reduce((largest, error) => Math.max(largest, Math.abs(error)), 0);
+}
+
+/** What the sign of an error means. */
+function signNote(reduction: Reduction, settings: ViewSettings): string {
+  if (settings.quantity !== 'signed') return '';
+  if (settings.variable !== 'position') return '; original\u00a0\u2212\u00a0reduced';
+  const added = isDiagnostic(reduction, settings) ? ', added up over all removals' : '';
+  return `; along the normal, + where the reduced surface is outside${added}`;
+}

@@ -1,0 +1,95 @@
+import { css, html, LitElement, nothing } from 'lit';
+import { live } from 'lit/directives/live.js';
+import type { Method } from '../session/session.ts';
+import { controlsStyle } from './controls-style.ts';
+
+const errors: Record<Method['errors'], { label: string; means: string }> = {
+  tracked: {
+    label: 'tracked',
+    means: 'Every error is measured against the original: nothing is overestimated, and fewer triangles are left.',
+  },
+  propagated: {
+    label: 'propagated (the paper)',
+    means:
+      'Errors are added up removal by removal, as by Bajaj and Schikore (1996): limits from above, more triangles.',
+  },
+};
+
+const costs: Record<Method['cost'], string> = {
+  introduced: 'error introduced',
+  maximum: 'maximum error',
+};
+
+/**
+ * How errors are accounted for, out of the way until it is opened.
+ *
+ * @fires method-change with the new Method
+ */
+export class MethodChoice extends LitElement {
+  static override properties = { method: { attribute: false } };
+
+  static override styles = [
+    controlsStyle,
+    css`
+      :host {
+        display: block;
+      }
+      summary {
+        border-radius: var(--radius);
+        cursor: pointer;
+      }
+      label {
+        display: flex;
+        gap: var(--gap);
+        align-items: center;
+        justify-content: space-between;
+        margin-top: 6px;
+      }
+      select {
+        width: 178px;
+      }
+      p {
+        margin-top: 6px;
+      }
+    `,
+  ];
+
+  declare method: Method;
+
+  override render() {
+    return html`<details>
+      <summary>Method <span class="small soft">${this.method.errors} errors</span></summary>
+      ${choice(
+        'Errors',
+        Object.entries(errors).map(([value, { label }]) => [value, label]),
+        this.method.errors,
+        (chosen) => this.#change({ errors: chosen as Method['errors'] }),
+      )}
+      ${
+        this.method.errors === 'propagated'
+          ? choice('Keeps small', Object.entries(costs), this.method.cost, (chosen) =>
+              this.#change({ cost: chosen as Method['cost'] }),
+            )
+          : nothing
+      }
+      <p class="small soft">${errors[this.method.errors].means}</p>
+    </details>`;
+  }
+
+  #change(change: Partial<Method>): void {
+    this.dispatchEvent(new CustomEvent('method-change', { detail: { ...this.method, ...change } }));
+  }
+}
+
+function choice(label: string, options: string[][], selected: string, choose: (value: string) => void) {
+  return html`<label>
+    <span>${label}</span>
+    <select @change=${({ target }: Event) => choose((target as HTMLSelectElement).value)}>
+      ${options.map(
+        ([value, text]) => html`<option value=${value} .selected=${live(value === selected)}>${text}</option>`,
+      )}
+    </select>
+  </label>`;
+}
+
+customElements.define('meshbound-method-choice', MethodChoice);
