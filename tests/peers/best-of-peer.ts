@@ -14,6 +14,8 @@ export interface PeerResult extends Start {
   ratio: number;
   /** The judge's, of the boundary; nobody asks this of a peer. */
   boundaryRatio: number;
+  /** Absolute. */
+  bounds: number[];
   runs: number;
   seconds: number;
 }
@@ -33,11 +35,11 @@ export function bestOfPeer(
   task: Task,
   judge: Judge,
   effort: number,
-  tighter: Start | undefined,
+  tighter: PeerResult | undefined,
 ): Promise<PeerResult> {
   const key = { version: `${version}, ${peer.version}`, surface: contentHash(task.path), bounds: task.bounds.join() };
   return cached<PeerResult>(`${name}-${peer.name}`, key, effort, (before) =>
-    search(peer, task, judge, effort, before ?? tighter),
+    search(peer, task, judge, effort, before, tighter),
   );
 }
 
@@ -46,15 +48,16 @@ async function search(
   task: Task,
   judge: Judge,
   effort: number,
-  before: Start | undefined,
+  ...before: (PeerResult | undefined)[]
 ): Promise<PeerResult> {
   const trial = join(places.cache, `trial-${process.pid}.ply`);
   const started = performance.now();
   const simplify = await peer.open(task);
   const original = { triangles: task.mesh.triangles.length / 3, variables: task.mesh.variables.length };
   const allowance = Math.round(effort * runsAllowed(peer, original.triangles));
+  const known = before.filter((one) => one !== undefined).map((one) => asAt(task.bounds, one));
   const run = new Search(simplify, (path) => judge.beyond(path), trial, original, allowance);
-  const { setting, target, triangles, runs } = await run.fewest(peer.options, peer.starts, before);
+  const { setting, target, triangles, runs } = await run.fewest(peer.options, peer.starts, known);
   const again = await simplify(setting, target, trial);
   const [ratio, boundaryRatio] = await judge.ratios(trial);
   rmSync(trial);
@@ -64,7 +67,16 @@ async function search(
     );
   }
   const seconds = (performance.now() - started) / 1000;
-  return { triangles, ratio, boundaryRatio, setting, target, runs, seconds };
+  return { triangles, ratio, boundaryRatio, setting, target, bounds: task.bounds, runs, seconds };
+}
+
+/** The run at other bounds that does the same: weights are measured in bounds. */
+function asAt(bounds: number[], { setting, target, bounds: others }: PeerResult): Start {
+  if (bounds.join() === others.join()) return { setting, target }; // to the last digit, so that it passes again
+  const weights = setting.weights.map(
+    (weight, variable) => (weight * (others[0] / others[variable + 1]) * bounds[variable + 1]) / bounds[0],
+  );
+  return { setting: { ...setting, weights }, target };
 }
 
 function runsAllowed(peer: Peer, triangles: number): number {

@@ -49,7 +49,7 @@ test('keeps to its allowance, and goes on from an earlier search', async () => {
   const short = await search(needed, fault, 3).fewest([], [[]]);
   expect(short.runs).toBe(3);
   expect(short.triangles).toBeGreaterThan(1000);
-  const longer = await search(needed, fault, 8).fewest([], [[]], short);
+  const longer = await search(needed, fault, 8).fewest([], [[]], [short]);
   expect(longer.triangles).toBeLessThan(short.triangles);
 });
 

@@ -57,11 +57,11 @@ export class Search {
    * `options` are switched on and off; `starts` are the sets of them to begin with, after what was found `before`: by a
    * shorter search, or at tighter bounds.
    */
-  async fewest(options: string[], starts: string[][], before?: Start): Promise<Found> {
-    if (before && (await this.improves(before.setting, before.target))) {
-      await this.descend(before.setting, hopes);
-      await this.mend();
+  async fewest(options: string[], starts: string[][], before: Start[] = []): Promise<Found> {
+    for (const { setting, target } of before) {
+      if (await this.improves(setting, target)) await this.descend(setting, hopes);
     }
+    if (before.length > 0) await this.mend();
     for (const factor of firstFactors) {
       for (const start of starts) await this.descend(this.uniform(factor, start), hopes);
     }
