@@ -15,6 +15,7 @@ beforeAll(async () => {
   await folder.save('map.vtp', { ...mesh, variables: [{ ...pressure, name: 'pressure_error' }, pressure] });
   folder.write('text.vtp', 'no mesh at all');
   folder.write('empty.ply', '');
+  await folder.save('line.ply', { ...mesh, triangles: Uint32Array.of(0, 1, 1) });
   folder.write('short.csv', 'heat\n1\n');
   folder.write('cut.vtp', folder.text('in.vtp').slice(0, 900));
   mkdirSync(folder.at('folder.vtp'));
@@ -94,6 +95,10 @@ const fileFaults: Case[] = [
   [
     ['reduce', 'map.vtp', ...toOut, ...bound, '--map', 'm.vtp'],
     'map.vtp: --map needs the names of the variables “pressure_error”',
+  ],
+  [
+    ['verify', 'in.vtp', 'line.ply', '-b', 'position=1%'],
+    'line.ply: there is no triangle with three distinct vertices',
   ],
   [['verify', 'in.vtp', 'none.vtp', ...bound], 'none.vtp: there is no such file'],
   [['verify', 'in.vtp', 'nan.vtp', ...bound], 'nan.vtp: “pressure” holds 1 value that is not finite'],

@@ -1,7 +1,6 @@
 import { type Mesh, MeshboundError, type Reduction, reduce as reduceMesh } from '../../wasm/index.ts';
 import { oddityNotes } from '../session/oddity-notes.ts';
-import { oneOf, parseArguments } from './arguments.ts';
-import { parseBounds, requireKnown, requireKnownBounds, unnamed } from './bound-arguments.ts';
+import { requireKnown, requireKnownBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
 import { exitStatus } from './exit-status.ts';
 import { Fault, faultOf, UsageFault } from './fault.ts';
@@ -9,84 +8,10 @@ import { interruptible } from './interruption.ts';
 import { requireMapNames, triangleName, withMap } from './map-variables.ts';
 import { sayNotes } from './notes.ts';
 import { ProgressBar } from './progress-bar.ts';
-import { freeNotes, type ReportOptions, reportJson, reportText } from './report.ts';
+import { help, parseRequest, type Request } from './reduce-arguments.ts';
+import { freeNotes, reportJson, reportText } from './report.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
-import { encodeSurface, type OpenedSurface, openSurface, outputFormat, requirePlaceFor } from './surface-files.ts';
-
-const help = `Reduces a surface so that every bound holds at every point of it.
-
-Usage: meshbound reduce IN -o OUT --bound NAME=BOUND …
-
-A bound is the largest allowed error of a variable: 1% of its extent (the length of the diagonal of the box of its
-values), 0.2 in its unit, or free. "position" is the geometry, "*" every variable not named; of two bounds with one name
-the later one holds. A variable without bound is free: it is carried along, and nothing is promised of it.
-
-Options:
-  -o, --output OUT        the file to write: .vtp, .vtk, .ply, .glb, .obj or .stl, and .gz behind any of them
-  -b, --bound NAME=BOUND  as often as needed
-  --variables FILE.csv    more variables of IN: names in the first line, then a line for each point
-  --exclude NAME          leave a variable out, as often as needed
-  --errors HOW            tracked (default): measured against the original at every step;
-                          propagated: added up from removal to removal, as in the paper; more triangles stay
-  --cost WHAT             with propagated errors, what the choice among retriangulations makes small:
-                          introduced (default): the error of this removal; max: the error so far
-  --map FILE              also write the original with where each vertex went, and what error it has there
-  --report FILE.json      also write counts, bounds and errors for programs
-  --quiet                 say nothing but errors
-
-On a terminal a bar shows the progress. Ctrl-C ends the reduction and leaves all files as they were.
-
-Examples:
-  meshbound reduce engine.vtp -o small.vtp --bound position=1% --bound "*=3%"
-  meshbound reduce engine.vtp -o small.ply -b position=0.5 -b pressure=2% -b velocity=0.2 -b temperature=free
-  meshbound reduce engine.vtp -o small.vtp -b "*=1%" --map where.vtp --report report.json`;
-
-const signature = {
-  options: {
-    output: { type: 'string', short: 'o' },
-    bound: { type: 'string', short: 'b', multiple: true, default: [] as string[] },
-    variables: { type: 'string' },
-    exclude: { type: 'string', multiple: true, default: [] as string[] },
-    errors: { type: 'string', default: 'tracked' },
-    cost: { type: 'string', default: 'introduced' },
-    map: { type: 'string' },
-    report: { type: 'string' },
-    levels: { type: 'string' },
-    quiet: { type: 'boolean', default: false },
-  },
-  positionals: ['IN'],
-} as const;
-
-interface Request {
-  input: string;
-  output: string;
-  variables: string | undefined;
-  exclude: string[];
-  options: ReportOptions;
-  map: string | undefined;
-  report: string | undefined;
-  quiet: boolean;
-}
-
-function parseRequest(args: string[]): Request {
-  const { values, positionals } = parseArguments(args, signature);
-  if (values.levels !== undefined) throw new UsageFault('--levels: several levels of detail cannot be made yet.');
-  if (!values.output) throw new UsageFault('-o OUT is missing.');
-  const errors = oneOf('--errors', values.errors, ['tracked', 'propagated']);
-  if (values.map && errors === 'propagated') throw new UsageFault('--map goes with --errors tracked.');
-  const cost = oneOf('--cost', values.cost, ['max', 'introduced']);
-  for (const path of [values.output, values.map]) if (path) outputFormat(path);
-  return {
-    input: positionals[0],
-    output: values.output,
-    variables: values.variables,
-    exclude: values.exclude,
-    options: { bounds: parseBounds(values.bound), errors, cost },
-    map: values.map,
-    report: values.report,
-    quiet: values.quiet,
-  };
-}
+import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
 
 async function openInput({ input, variables: csv, exclude, options, map }: Request): Promise<OpenedSurface> {
   const whole = await openSurface(input, csv);

@@ -1,15 +1,15 @@
-import type { Mesh, Variable } from '../../wasm/index.ts';
-import { judgeAccuracy, loadJudge } from '../../wasm/judge-module.ts';
-import { counted } from '../formats/wording.ts';
-import { scaleOf, spanOf } from '../surface/value-span.ts';
+import { MeshboundError } from '../../wasm/errors.ts';
+import { judgeAccuracy, loadJudge, type Verdict } from '../../wasm/judge-module.ts';
+import type { Mesh } from '../../wasm/types.ts';
 import { parseArguments } from './arguments.ts';
-import { type Bounds, boundOf, parseBounds, requireKnownBounds, unnamed } from './bound-arguments.ts';
+import { parseBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
+import { comparable } from './comparable.ts';
 import { exitStatus } from './exit-status.ts';
-import { Fault, UsageFault } from './fault.ts';
+import { faultOf, UsageFault } from './fault.ts';
 import { sayNotes } from './notes.ts';
 import { freeNotes } from './report.ts';
-import { type OpenedSurface, openSurface } from './surface-files.ts';
+import { openSurface } from './surface-files.ts';
 import { findingsOf, verdictText } from './verdict.ts';
 
 const help = `Checks by an independent judge whether a reduced surface keeps the bounds.
@@ -56,79 +56,38 @@ function parseSamples(text: string): number {
   throw new UsageFault(`--samples cannot be “${text}”; it is a whole number from 1 to ${mostSamples}.`);
 }
 
-/** The position and what has a bound, in the original's order: all that is judged. */
-function bounded(bounds: Bounds, { mesh }: OpenedSurface): string[] {
-  return mesh.variables.map(({ name }) => name).filter((name) => boundOf(bounds, name) !== 'free');
-}
-
-/** The surface with these variables alone, in this order. Throws a Fault where one is missing or not finite. */
-function onlyWith(names: readonly string[], { path, mesh }: OpenedSurface): Mesh {
-  const variables = names.map((name) => {
-    const variable = mesh.variables.find((each) => each.name === name);
-    if (!variable) throw new Fault(`${path}: there is no variable “${name}”, so its bound cannot be checked.`);
-    return variable;
-  });
-  for (const variable of [positionOf(mesh), ...variables]) requireFinite(path, variable);
-  if (mesh.triangles.length === 0) throw new Fault(`${path}: there are no triangles.`);
-  return { ...mesh, variables };
-}
-
-function positionOf({ position }: Mesh): Variable {
-  return { name: 'position', components: 3, values: position };
-}
-
-function requireFinite(path: string, variable: Variable): void {
-  const { nan, infinite } = spanOf(variable);
-  if (nan + infinite > 0)
-    throw new Fault(
-      `${path}: “${variable.name}” holds ${counted(nan + infinite, 'value')} that ${nan + infinite === 1 ? 'is' : 'are'} not finite.`,
-    );
-}
-
-function requireSameComponents(original: Mesh, { path }: OpenedSurface, reduced: Mesh): void {
-  for (const [i, { name, components }] of reduced.variables.entries()) {
-    const wanted = original.variables[i].components;
-    if (components !== wanted)
-      throw new Fault(`${path}: “${name}” has ${counted(components, 'component')}, that of the original ${wanted}.`);
-  }
-}
-
-/** The bound of each variable in its unit, position first. */
-function absoluteBounds(bounds: Bounds, original: Mesh): number[] {
-  return [positionOf(original), ...original.variables].map((variable) => {
-    const bound = boundOf(bounds, variable.name);
-    if (bound === 'free') return Number.POSITIVE_INFINITY;
-    return 'absolute' in bound ? bound.absolute : bound.relative * scaleOf(spanOf(variable));
-  });
+async function judged(
+  original: Mesh,
+  reduced: Mesh,
+  limits: number[],
+  samples: number,
+  path: string,
+): Promise<Verdict> {
+  const judge = await loadJudge();
+  const outcome = judge.judge(original, reduced, limits, samples);
+  if (!outcome.ok) throw faultOf(path, new MeshboundError(outcome.failure));
+  return outcome.value;
 }
 
 async function run(args: string[]): Promise<number> {
   const { values, positionals } = parseArguments(args, signature);
   const bounds = parseBounds(values.bound);
   const samples = parseSamples(values.samples);
-  const [original, reduced] = [await openSurface(positionals[0], values.variables), await openSurface(positionals[1])];
-  requireKnownBounds(bounds, original);
-  const names = bounded(bounds, original);
-  if (names.length === 0 && boundOf(bounds, 'position') === 'free') throw new UsageFault('Every variable is free.');
-  const [one, other] = [onlyWith(names, original), onlyWith(names, reduced)];
-  requireSameComponents(one, reduced, other);
-  const limits = absoluteBounds(bounds, one);
-  const judge = await loadJudge();
-  const outcome = judge.judge(one, other, limits, samples);
-  if (!outcome.ok) throw new Fault(`${reduced.path}: ${outcome.failure.message}`);
-  const findings = findingsOf(outcome.value, ['position', ...names], limits);
-  const broken = findings.ratio > 1 + judgeAccuracy;
-  if (values.json)
-    console.log(
-      JSON.stringify({ original: original.path, reduced: reduced.path, ...findings, within: !broken }, undefined, 2),
-    );
-  else if (!values.quiet) {
+  const original = await openSurface(positionals[0], values.variables);
+  const reduced = await openSurface(positionals[1]);
+  const { names, limits, one, other } = comparable(original, reduced, bounds);
+  const findings = findingsOf(await judged(one, other, limits, samples, reduced.path), names, limits);
+  const within = findings.ratio <= 1 + judgeAccuracy;
+  if (values.json) {
+    const found = { original: original.path, reduced: reduced.path, ...findings, within };
+    console.log(JSON.stringify(found, undefined, 2));
+  } else if (!values.quiet) {
     for (const { path, notes } of [original, reduced]) sayNotes(path, notes);
     sayNotes(original.path, freeNotes(unnamed(bounds, original.mesh)));
     console.log(verdictText(findings));
-    console.log(broken ? 'A bound is broken.' : 'The bounds hold at every sample.');
+    console.log(within ? 'The bounds hold at every sample.' : 'A bound is broken.');
   }
-  return broken ? exitStatus.boundBroken : exitStatus.done;
+  return within ? exitStatus.done : exitStatus.boundBroken;
 }
 
 export const verify: Command = { help, run };

@@ -1,0 +1,77 @@
+import type { Mesh, Variable } from '../../wasm/types.ts';
+import { counted } from '../formats/wording.ts';
+import { scaleOf, spanOf } from '../surface/value-span.ts';
+import { type Bounds, boundOf, requireKnownBounds } from './bound-arguments.ts';
+import { Fault, UsageFault } from './fault.ts';
+import type { OpenedSurface } from './surface-files.ts';
+
+/** Two surfaces with what has a bound, in one order, and no other variable. */
+export interface Comparable {
+  one: Mesh;
+  other: Mesh;
+  /** Of position, then of the variables. */
+  names: string[];
+  /** Their bounds in their units, Infinity for a free position. */
+  limits: number[];
+}
+
+/**
+ * Two surfaces as the judge takes them; percentages are of the extents in `original`. Throws a Fault for what cannot be
+ * compared.
+ */
+export function comparable(original: OpenedSurface, reduced: OpenedSurface, bounds: Bounds): Comparable {
+  requireKnownBounds(bounds, original);
+  const names = original.mesh.variables.map(({ name }) => name).filter((name) => boundOf(bounds, name) !== 'free');
+  if (names.length === 0 && boundOf(bounds, 'position') === 'free') throw new UsageFault('Every variable is free.');
+  const [one, other] = [onlyWith(names, original), onlyWith(names, reduced)];
+  requireSameComponents(one, other, reduced.path);
+  const limits = [positionOf(one), ...one.variables].map((variable) => absoluteBound(bounds, variable));
+  return { one, other, names: ['position', ...names], limits };
+}
+
+/** The surface with these variables alone, in this order. Throws a Fault where one is missing or not finite. */
+function onlyWith(names: readonly string[], { path, mesh }: OpenedSurface): Mesh {
+  const variables = names.map((name) => {
+    const variable = mesh.variables.find((each) => each.name === name);
+    if (!variable) throw new Fault(`${path}: there is no variable “${name}”, so its bound cannot be checked.`);
+    return variable;
+  });
+  for (const variable of [positionOf(mesh), ...variables]) requireFinite(path, variable);
+  if (!hasSurface(mesh)) throw new Fault(`${path}: there is no triangle with three distinct vertices.`);
+  return { ...mesh, variables };
+}
+
+function positionOf({ position }: Mesh): Variable {
+  return { name: 'position', components: 3, values: position };
+}
+
+function requireFinite(path: string, variable: Variable): void {
+  const { nan, infinite } = spanOf(variable);
+  const faulty = nan + infinite;
+  if (faulty === 0) return;
+  const values = `${counted(faulty, 'value')} that ${faulty === 1 ? 'is' : 'are'} not finite`;
+  throw new Fault(`${path}: “${variable.name}” holds ${values}.`);
+}
+
+function hasSurface({ triangles }: Mesh): boolean {
+  for (let corner = 0; corner < triangles.length; corner += 3) {
+    const [a, b, c] = [triangles[corner], triangles[corner + 1], triangles[corner + 2]];
+    if (a !== b && b !== c && c !== a) return true;
+  }
+  return false;
+}
+
+function requireSameComponents(original: Mesh, reduced: Mesh, path: string): void {
+  for (const [i, { name, components }] of reduced.variables.entries()) {
+    const wanted = original.variables[i].components;
+    if (components === wanted) continue;
+    throw new Fault(`${path}: “${name}” has ${counted(components, 'component')}, that of the original ${wanted}.`);
+  }
+}
+
+/** In the variable's unit. */
+function absoluteBound(bounds: Bounds, variable: Variable): number {
+  const bound = boundOf(bounds, variable.name);
+  if (bound === 'free') return Number.POSITIVE_INFINITY;
+  return 'absolute' in bound ? bound.absolute : bound.relative * scaleOf(spanOf(variable));
+}
