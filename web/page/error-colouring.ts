@@ -13,7 +13,7 @@ import { isFree, isMeasured } from './promise-words.ts';
 import type { ViewSettings } from './view-settings.ts';
 
 /** What the legend of an original says that keeps its values where errors are looked at. */
-export const unknownErrors = 'values: with propagated errors, the errors at its vertices are not known';
+export const unknownErrors = 'values: errors at its vertices are known only when tracked';
 
 /**
  * The errors of the chosen variable on the original surface: that of every vertex, to be interpolated. Null where they are
@@ -117,6 +117,6 @@ function largestSize({ lowest, highest }: TriangleErrors): number {
 function signNote(reduction: Reduction, settings: ViewSettings): string {
   if (settings.quantity !== 'signed') return '';
   if (settings.variable !== 'position') return '; original\u00a0\u2212\u00a0reduced';
-  const added = isDiagnostic(reduction, settings) ? ', added up over all removals' : '';
-  return `; along the normal, + where the reduced surface is outside${added}`;
+  const along = isDiagnostic(reduction, settings) ? 'summed along the normals' : 'along the normal';
+  return `; ${along}, + where the reduced surface is outside`;
 }

@@ -54,6 +54,7 @@ export class Legend extends LitElement {
       .ends {
         display: flex;
         justify-content: space-between;
+        white-space: nowrap;
       }
       /* Where the surface has little room, the ticks must do. */
       @container (max-width: 480px) {
@@ -61,8 +62,16 @@ export class Legend extends LitElement {
           display: none;
         }
         :host {
-          width: min(200px, 100%);
+          width: auto;
           padding: 3px 12px 0;
+        }
+        .title,
+        .detail {
+          display: inline;
+          white-space: normal;
+        }
+        .detail::before {
+          content: '· ';
         }
         .ends.values {
           display: none;
@@ -91,7 +100,7 @@ export class Legend extends LitElement {
     const ticks = roundTicks(range, tickCount);
     return html`
       <div class="title">${unit && unit !== '1' ? `${title} [${unit}]` : title}</div>
-      ${detail ? html`<div class="soft">${detail}</div>` : nothing}
+      ${detail ? html`<div class="detail soft">${detail}</div>` : nothing}
       <div class="bar" style="background:${cssGradient(map, 'to right')}"></div>
       <div class="ticks">
         ${ticks.map((tick) => html`<span style="left:${100 * placeIn(range, tick)}%">${valueText(tick, 6)}</span>`)}

@@ -46,7 +46,7 @@ export class MethodChoice extends LitElement {
         margin-top: 6px;
       }
       select {
-        width: 178px;
+        width: 198px;
       }
       p {
         margin-top: 6px;

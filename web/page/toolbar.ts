@@ -82,8 +82,17 @@ export class Toolbar extends LitElement {
         .view {
           margin-left: 0;
         }
+        :host {
+          gap: var(--gap) 10px;
+        }
+        .group {
+          display: contents;
+        }
         select {
-          width: 124px;
+          width: 108px;
+        }
+        select.middle {
+          width: 134px;
         }
         select.narrow {
           width: 96px;
