@@ -21,7 +21,7 @@ class MeasuredRows {
 public:
     explicit MeasuredRows(const Rows& rows, std::size_t vertices);
 
-    const double* operator[](std::uint32_t vertex) const { return &values_[vertex * 2 * std::size_t(lanes_)]; }
+    const double* operator[](std::uint32_t vertex) const { return values_.data() + vertex * 2 * std::size_t(lanes_); }
     int lanes() const { return lanes_; }
     static Lane lane(const double* row, int i) {
         Lane loaded;

@@ -14,6 +14,10 @@ namespace {
 /// makes folds in the map for nothing.
 constexpr double content_with = 0.3;
 
+/// Neighbouring crossings stay apart on their original edge by at least this share of the room that is left there: at one place
+/// Φ would open it into a segment, and be a map only in the limit.
+constexpr double least_gap = 1e-3;
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double cross(const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; }
@@ -197,7 +201,8 @@ void Tracking::cross_straight(const Retriangulation& retriangulation, const Piec
         const NewTriangle& triangle = retriangulation.triangles[at(crossing.triangle)];
         const glm::dvec2 a = hole_->places[at(triangle.a)], along = hole_->places[at(triangle.b)] - a;
         const double denominator = cross(direction, along);
-        reached = clamped(cross(a - start, along) / denominator, reached, 1);
+        const double low = reached + least_gap * (1 - reached), high = 1 - least_gap * (1 - low);
+        reached = clamped(cross(a - start, along) / denominator, low, high);
         crossing.t = clamped(cross(a - start, direction) / denominator, 0, 1);
         crossing.s = piece.start.s + reached * (piece.end.s - piece.start.s);
     }
@@ -221,8 +226,10 @@ void Tracking::choose_crossings(const Piece& piece, std::size_t first, double th
         NewCrossing& crossing = new_crossings_[n];
         const double error = error_at(piece, crossing);
         if (error <= threshold) continue;
-        const double low = n == first ? piece.start.s : new_crossings_[n - 1].s;
-        const double high = n + 1 == new_crossings_.size() ? piece.end.s : new_crossings_[n + 1].s;
+        const double before = n == first ? piece.start.s : new_crossings_[n - 1].s;
+        const double behind = n + 1 == new_crossings_.size() ? piece.end.s : new_crossings_[n + 1].s;
+        const double low = std::min(crossing.s, before + least_gap * (behind - before));
+        const double high = std::max(crossing.s, behind - least_gap * (behind - before));
         const JointTriangle& joint = joints_[at(crossing.triangle)]; // the diagonal is its edge from a to c
         const glm::dvec2 nearest = nearest_parameters(measured_rows_, original, low, high, {joint.a(), joint.c()});
         NewCrossing chosen = crossing;
