@@ -3,11 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "rows.hpp"
 
 namespace meshbound {
 namespace {
+
+/// Six digits, however small or large: std::to_string would make 1e-12 a zero.
+std::string number_text(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
 
 /// Extent (diagonal of the box) and magnitude of a variable; the values of a valid mesh are finite.
 void measure_values(const Variable& variable, ResolvedBound& bound) {
@@ -41,7 +49,9 @@ Status check_bound(const std::string& name, const Bound& bound) {
     if (bound.kind == Bound::Kind::free) return {};
     if (std::isfinite(bound.value) && bound.value > 0) return {};
     return {Fault::bad_bound,
-            "The bound of \"" + name + "\" is " + std::to_string(bound.value) + "; it must be a number above zero.", name, {}};
+            "The bound of \"" + name + "\" is " + number_text(bound.value) + "; it must be a number above zero.",
+            name,
+            {}};
 }
 
 /// The entry that holds for a variable: the last one with its name, else the last "*", else none (free).
@@ -63,8 +73,10 @@ Status check_names(const Mesh& mesh, const Bounds& bounds) {
                            std::any_of(mesh.variables.begin(), mesh.variables.end(),
                                        [&](const Variable& variable) { return variable.name == entry.name; });
         if (!known)
-            return {Fault::unknown_variable, "There is a bound for \"" + entry.name + "\", but no such variable.",
-                    entry.name, {}};
+            return {Fault::unknown_variable,
+                    "There is a bound for \"" + entry.name + "\", but no such variable.",
+                    entry.name,
+                    {}};
         if (Status status = check_bound(entry.name, entry.bound); !status.ok()) return status;
     }
     return {};
@@ -81,9 +93,10 @@ Status resolve(const Variable& variable, const Bound& given, bool may_be_constan
     }
     if (rounding_margin(resolved) < largest_rounding_margin && std::isnormal(resolved.absolute)) return {};
     return {Fault::bound_too_fine,
-            "The bound of \"" + variable.name + "\" is " + std::to_string(resolved.absolute) +
-                ", finer than double precision can carry beside an extent of " + std::to_string(resolved.extent) + ".",
-            variable.name, {}};
+            "The bound of \"" + variable.name + "\" is " + number_text(resolved.absolute) +
+                ", finer than double precision can carry beside an extent of " + number_text(resolved.extent) + ".",
+            variable.name,
+            {}};
 }
 
 } // namespace

@@ -9,14 +9,14 @@ namespace meshbound {
 
 /// A place where an original edge crosses a current edge. Both run from their lower vertex to their upper one.
 struct Crossing {
-    double s = 0;                        ///< along the original edge, 0…1
-    double t = 0;                        ///< along the current edge, 0…1
-    std::uint32_t original = no_index;   ///< the original edge
-    std::uint32_t current = no_index;    ///< the current edge
-    std::uint32_t previous = no_index;   ///< the crossing before this one on the original edge
-    std::uint32_t next = no_index;       ///< the one behind it
-    std::uint32_t sibling = no_index;    ///< another crossing on the same current edge
-    bool rightward = false;              ///< with s rising, passes from the left of the current edge to its right
+    double s = 0;                      ///< along the original edge, 0…1
+    double t = 0;                      ///< along the current edge, 0…1
+    std::uint32_t original = no_index; ///< the original edge
+    std::uint32_t current = no_index;  ///< the current edge
+    std::uint32_t previous = no_index; ///< the crossing before this one on the original edge
+    std::uint32_t next = no_index;     ///< the one behind it
+    std::uint32_t sibling = no_index;  ///< another crossing on the same current edge
+    bool rightward = false;            ///< with s rising, passes from the left of the current edge to its right
 };
 
 /// All crossings: each original edge is a chain of them in their order along it, each current edge a set. The chains make
@@ -48,9 +48,9 @@ public:
 
 private:
     std::vector<Crossing> pool_;
-    std::uint32_t unused_ = no_index;                // free places of the pool, chained by sibling
-    std::vector<std::uint32_t> first_, last_;   // by original edge
-    std::vector<std::uint32_t> on_;             // by current edge
+    std::uint32_t unused_ = no_index;         // free places of the pool, chained by sibling
+    std::vector<std::uint32_t> first_, last_; // by original edge
+    std::vector<std::uint32_t> on_;           // by current edge
 };
 
 } // namespace meshbound

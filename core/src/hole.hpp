@@ -39,10 +39,10 @@ struct Hole {
 /// every other one hangs on its parent by the diagonal (a, b).
 struct NewTriangle {
     int a = 0, m = 0, b = 0;
-    int parent = -1;             ///< across (a, b); -1: the root
-    int left = -1, right = -1;   ///< across (a, m) and (m, b); -1: a rim
-    std::uint32_t slot = no_index;   ///< the triangle it becomes (filled when the surface takes it)
-    std::uint32_t edge = no_index;   ///< the edge that (a, b) becomes: a diagonal or the closing edge
+    int parent = -1;               ///< across (a, b); -1: the root
+    int left = -1, right = -1;     ///< across (a, m) and (m, b); -1: a rim
+    std::uint32_t slot = no_index; ///< the triangle it becomes (filled when the surface takes it)
+    std::uint32_t edge = no_index; ///< the edge that (a, b) becomes: a diagonal or the closing edge
 };
 
 /// Triangles that fill a hole, parents before children.

@@ -11,7 +11,8 @@ constexpr int spoke_role = -1;
 
 } // namespace
 
-HoleContent::HoleContent(const Surface& surface) : role_(surface.edge_count(), 0), position_(surface.vertex_count(), 0) {}
+HoleContent::HoleContent(const Surface& surface)
+    : role_(surface.edge_count(), 0), position_(surface.vertex_count(), 0) {}
 
 void HoleContent::enter(const Rows& rows, const Surface& surface, const Residents& residents, const Hole& hole) {
     vertices_.clear();
@@ -112,14 +113,16 @@ std::uint32_t HoleContent::walk(const Crossings& crossings, std::uint32_t from, 
 
 /// Pieces that begin at this rim, and those that end at it having begun at a vertex.
 void HoleContent::add_rim_pieces(const OriginalEdges& edges, const Crossings& crossings, const Hole& hole, int rim) {
-    const bool canonical = hole.ring[at(rim)] < hole.ring[at(hole.after(rim))]; // the hole is on the left of a canonical rim
+    const bool canonical =
+        hole.ring[at(rim)] < hole.ring[at(hole.after(rim))]; // the hole is on the left of a canonical rim
     for (std::uint32_t id = crossings.on(hole.rim_edges[at(rim)]); id != no_index; id = crossings[id].sibling) {
         const Crossing& crossing = crossings[id];
         const bool entering = crossing.rightward != canonical;
         if (entering) {
             const std::uint32_t end = walk(crossings, crossing.next, true);
-            pieces_.push_back({crossing.original, end_at_rim(crossings, id),
-                               end == no_index ? end_at_vertex(edges.upper(crossing.original), 1) : end_at_rim(crossings, end)});
+            pieces_.push_back(
+                {crossing.original, end_at_rim(crossings, id),
+                 end == no_index ? end_at_vertex(edges.upper(crossing.original), 1) : end_at_rim(crossings, end)});
         } else if (walk(crossings, crossing.previous, false) == no_index) {
             pieces_.push_back(
                 {crossing.original, end_at_vertex(edges.lower(crossing.original), 0), end_at_rim(crossings, id)});

@@ -23,18 +23,18 @@ struct InnerVertex {
     };
     std::uint32_t vertex = no_index;
     Host host = Host::triangle;
-    int rim = -1;          ///< of Host::rim
-    glm::dvec2 place{0};   ///< in the plane
-    double share = 0;      ///< of Host::closing: along the closing edge, from ring position 0
+    int rim = -1;        ///< of Host::rim
+    glm::dvec2 place{0}; ///< in the plane
+    double share = 0;    ///< of Host::closing: along the closing edge, from ring position 0
 };
 
 /// The end of a piece: a ring vertex, a crossing on a rim, or an inner vertex.
 struct PieceEnd {
-    int ring = -1;                          ///< ring position, or -1
-    int rim = -1;                           ///< rim, or -1
-    int inner = -1;                         ///< index of the inner vertex, or -1
-    std::uint32_t crossing = no_index;      ///< the crossing on the rim; no_index: an end of the original edge
-    double s = 0;                           ///< along the original edge
+    int ring = -1;                     ///< ring position, or -1
+    int rim = -1;                      ///< rim, or -1
+    int inner = -1;                    ///< index of the inner vertex, or -1
+    std::uint32_t crossing = no_index; ///< the crossing on the rim; no_index: an end of the original edge
+    double s = 0;                      ///< along the original edge
 };
 
 /// A part of an original edge inside the hole, between places that remain when the spokes vanish.

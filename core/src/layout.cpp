@@ -31,7 +31,8 @@ bool is_star_shaped(const Hole& hole) {
         const glm::dvec2& p = hole.places[static_cast<std::size_t>(i)];
         const glm::dvec2& q = hole.places[static_cast<std::size_t>(hole.after(i))];
         const double turn = p.x * q.y - p.y * q.x;
-        if (!(turn > 0 && turn * turn > flattest_sector * flattest_sector * glm::dot(p, p) * glm::dot(q, q))) return false;
+        if (!(turn > 0 && turn * turn > flattest_sector * flattest_sector * glm::dot(p, p) * glm::dot(q, q)))
+            return false;
         if (p.y < 0 && q.y >= 0) ++turns;
     }
     return turns == 1;
@@ -98,8 +99,7 @@ void lay_out_polar(const Rows& rows, Hole& hole) {
 
 glm::dvec3 star_normal(const Rows& rows, const Hole& hole) {
     glm::dvec3 sum(0);
-    for (int i = 0; i < hole.sectors(); ++i)
-        sum += glm::cross(spoke(rows, hole, i), spoke(rows, hole, hole.after(i)));
+    for (int i = 0; i < hole.sectors(); ++i) sum += glm::cross(spoke(rows, hole, i), spoke(rows, hole, hole.after(i)));
     return sum;
 }
 

@@ -35,11 +35,11 @@ private:
     const Rows* rows_ = nullptr;
     const Hole* hole_ = nullptr;
     glm::dvec3 normal_{0};
-    double scale_ = 0;                    // squared size of the laid-out hole
-    std::vector<char> taken_;             // [i * size + j]: the edge exists
-    std::vector<glm::dvec3> neighbours_;  // by rim: normal of the triangle outside, or zero
-    std::vector<double> old_cosines_;     // by rim: cosine of the angle across it now
-    std::vector<int> ring_position_;      // by vertex, -1 elsewhere
+    double scale_ = 0;                   // squared size of the laid-out hole
+    std::vector<char> taken_;            // [i * size + j]: the edge exists
+    std::vector<glm::dvec3> neighbours_; // by rim: normal of the triangle outside, or zero
+    std::vector<double> old_cosines_;    // by rim: cosine of the angle across it now
+    std::vector<int> ring_position_;     // by vertex, -1 elsewhere
 };
 
 } // namespace meshbound

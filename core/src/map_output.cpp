@@ -77,7 +77,8 @@ void extract_vertex_errors(const Rows& rows, const Reduction& reduction, std::ve
         const auto input = [&](int corner) { return reduction.vertices[triangle[corner]]; };
         const glm::dvec3 w = place.barycentric;
         for (std::size_t i = 0; i < difference.size(); ++i)
-            difference[i] = rows[vertex][i] - (w.x * rows[input(0)][i] + w.y * rows[input(1)][i] + w.z * rows[input(2)][i]);
+            difference[i] =
+                rows[vertex][i] - (w.x * rows[input(0)][i] + w.y * rows[input(1)][i] + w.z * rows[input(2)][i]);
         const glm::dvec3 origin = rows.position(input(0));
         const glm::dvec3 area = glm::cross(rows.position(input(1)) - origin, rows.position(input(2)) - origin);
         const double length = glm::length(area);

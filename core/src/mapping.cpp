@@ -99,7 +99,8 @@ const double* StarMap::candidate(int a, int m, int b) {
         difference(centre, a, b, before + behind > 0 ? before / (before + behind) : 0.5, candidate_.data());
         return candidate_.data();
     }
-    const glm::dvec3 share = clamped_barycentric(glm::dvec2(0), hole_->places[at(a)], hole_->places[at(m)], hole_->places[at(b)]);
+    const glm::dvec3 share =
+        clamped_barycentric(glm::dvec2(0), hole_->places[at(a)], hole_->places[at(m)], hole_->places[at(b)]);
     const double* p = (*rows_)[hole_->ring[at(a)]];
     const double* q = (*rows_)[hole_->ring[at(m)]];
     const double* r = (*rows_)[hole_->ring[at(b)]];

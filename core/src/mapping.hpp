@@ -34,7 +34,8 @@ private:
     const Rows* rows_ = nullptr;
     const Hole* hole_ = nullptr;
     glm::dvec3 normal_{0};
-    std::vector<std::size_t> offsets_; // [a * size + b]: where the crossings of the diagonal begin in rows_of_crossings_
+    std::vector<std::size_t>
+        offsets_; // [a * size + b]: where the crossings of the diagonal begin in rows_of_crossings_
     std::vector<double> crossings_;
     std::vector<double> candidate_;
     std::vector<double> scratch_, lengths_;

@@ -26,7 +26,8 @@ MeasuredRows::MeasuredRows(const Rows& rows, std::size_t vertices) {
     values_.resize(vertices * source.size());
     for (std::size_t vertex = 0; vertex < vertices; ++vertex)
         for (std::size_t i = 0; i < source.size(); ++i)
-            values_[vertex * source.size() + i] = source[i] < 0 ? 0 : rows[static_cast<std::uint32_t>(vertex)][source[i]];
+            values_[vertex * source.size() + i] =
+                source[i] < 0 ? 0 : rows[static_cast<std::uint32_t>(vertex)][source[i]];
 }
 
 } // namespace meshbound

@@ -30,7 +30,8 @@ public:
     }
 
     /// Largest squared ratio to its bound over the variables; `difference(i)` gives lane i of the difference of two rows.
-    template <class Difference> double squared_ratio(const Difference& difference) const {
+    template <class Difference>
+    double squared_ratio(const Difference& difference) const {
         double worst = 0;
         for (const Vector& vector : vectors_) {
             Lane sum = {0, 0};
@@ -49,7 +50,8 @@ public:
     }
 
     /// The variable (0: position) in which a difference is largest.
-    template <class Difference> std::size_t worst_variable(const Difference& difference) const {
+    template <class Difference>
+    std::size_t worst_variable(const Difference& difference) const {
         double worst = -1;
         std::size_t variable = 0;
         const auto consider = [&](double square, std::size_t candidate) {
@@ -73,13 +75,14 @@ public:
     }
 
     /// A row less the mixture of three others.
-    static auto blend_difference(const double* row, const double* p, const double* q, const double* r, double wp, double wq,
-                                 double wr) {
+    static auto blend_difference(const double* row, const double* p, const double* q, const double* r, double wp,
+                                 double wq, double wr) {
         return [=](int i) { return lane(row, i) - (wp * lane(p, i) + wq * lane(q, i) + wr * lane(r, i)); };
     }
 
     /// The point at share s from u to v less the point at share t from a to b.
-    static auto segment_difference(const double* u, const double* v, double s, const double* a, const double* b, double t) {
+    static auto segment_difference(const double* u, const double* v, double s, const double* a, const double* b,
+                                   double t) {
         return [=](int i) {
             return (lane(u, i) + s * (lane(v, i) - lane(u, i))) - (lane(a, i) + t * (lane(b, i) - lane(a, i)));
         };

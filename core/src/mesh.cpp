@@ -9,7 +9,8 @@ std::size_t value_count(const Variable& variable) {
 std::size_t vertex_count(const Mesh& mesh) { return value_count(mesh.position) / 3; }
 
 double value_at(const Variable& variable, std::size_t vertex, int component) {
-    const std::size_t index = vertex * static_cast<std::size_t>(variable.components) + static_cast<std::size_t>(component);
+    const std::size_t index =
+        vertex * static_cast<std::size_t>(variable.components) + static_cast<std::size_t>(component);
     return std::visit([&](const auto& values) { return static_cast<double>(values[index]); }, variable.values);
 }
 

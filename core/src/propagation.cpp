@@ -43,8 +43,7 @@ void Propagation::propagate(int a, int m, int b, Interval* fresh) {
     const RingRun sectors = overlapped_sectors(*hole_, a, m, b);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::fill(fresh, fresh + width(), Interval{infinity, -infinity});
-    for (int n = 0; n < sectors.count; ++n)
-        add_piece(a, m, b, (sectors.first + n) % hole_->size(), candidate, fresh);
+    for (int n = 0; n < sectors.count; ++n) add_piece(a, m, b, (sectors.first + n) % hole_->size(), candidate, fresh);
 }
 
 /// The piece of the new triangle in one sector. Its corners: crossings of the triangle's edges with the sector's two spokes,

@@ -1,4 +1,5 @@
 #include "meshbound/reduce.hpp"
+#include "meshbound/segmentation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,8 @@ namespace {
 
 Status check_options(const Mesh& mesh, const Options& options) {
     const std::vector<double>& sweeps = options.sweeps;
-    const bool rising = std::adjacent_find(sweeps.begin(), sweeps.end(), std::greater_equal<>()) == sweeps.end();
+    const bool rising = std::adjacent_find(sweeps.begin(), sweeps.end(), [](double a, double b) { return !(a < b); }) ==
+                        sweeps.end(); // NaN fails
     if (sweeps.empty() || !(sweeps.front() > 0) || sweeps.back() != 1 || !rising)
         return {Fault::bad_option, "The sweeps must be rising fractions above 0, the last one 1.", "", {}};
     for (std::size_t i = 0; i < options.locked.size(); ++i)
@@ -61,7 +63,8 @@ Renaming extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduc
         reduction.mesh.triangles.push_back({corner(0), corner(1), corner(2)});
     }
     reduction.mesh.position = gather(mesh.position, reduction.vertices);
-    for (const Variable& variable : mesh.variables) reduction.mesh.variables.push_back(gather(variable, reduction.vertices));
+    for (const Variable& variable : mesh.variables)
+        reduction.mesh.variables.push_back(gather(variable, reduction.vertices));
     return renamed;
 }
 
@@ -92,7 +95,8 @@ void extract_errors(const Surface& surface, const Rows& rows, const Accounting& 
     }
 }
 
-void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate, Report& report) {
+void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate,
+                    Report& report) {
     for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
         if (surface.kind(vertex) == VertexKind::absent) continue;
         if (!candidate[vertex]) {
@@ -123,30 +127,54 @@ std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& 
     return std::make_unique<Propagation>(rows, surface.slot_count(), options.cost);
 }
 
-Reduction run(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Options& options, const Oddities& oddities,
-              const Progress& progress) {
+/// A cancelled result says of its errors what the sweeps made sure of, without looking at every triangle.
+void report_limits(Report& report) {
+    for (VariableReport& variable : report.variables) {
+        variable.error = variable.bound.absolute;
+        variable.ratio = std::isfinite(variable.bound.absolute) ? 1 : 0;
+    }
+}
+
+void report_everything(const Mesh& mesh, const Surface& surface, const Rows& rows, const Accounting& accounting,
+                       const Renaming& renamed, const Options& options, Reduction& reduction) {
+    extract_errors(surface, rows, accounting, reduction);
+    const auto* tracking = dynamic_cast<const Tracking*>(&accounting);
+    if (!tracking) return;
+    extract_map(surface, *tracking, renamed.vertex, renamed.triangle, reduction.map);
+    extract_vertex_errors(rows, reduction, reduction.vertex_errors);
+    if (!options.count_folds) return;
+    Segmentation segmentation;
+    segment(mesh, reduction, segmentation);
+    reduction.report.cells = segmentation.cells.size();
+    reduction.report.folded_cells = segmentation.folded_cells;
+}
+
+Reduction run(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Options& options,
+              const Oddities& oddities, const Progress& progress) {
     Reduction reduction;
     reduction.report = begin_report(mesh, bounds, oddities);
     Report& report = reduction.report;
     Ticker ticker(progress);
-    const Rows rows(mesh, bounds);
     Surface surface(mesh.triangles, vertex_count(mesh));
     report.non_manifold_vertices = surface.count(VertexKind::fixed);
-    const std::vector<char> candidate = find_candidates(surface, options.locked);
-    const std::unique_ptr<Accounting> accounting = make_accounting(options, rows, surface);
-    Sweeper sweeper(surface, rows, *accounting, candidate);
-
-    std::vector<double> limits = options.sweeps;
-    for (double& limit : limits) limit *= rows.limit();
-    if (!sweeper.sweep(limits, ticker)) report.stopped = Stopped::cancelled;
-
-    const Renaming renamed = extract_mesh(mesh, surface, reduction);
-    extract_errors(surface, rows, *accounting, reduction);
-    if (const auto* tracking = dynamic_cast<const Tracking*>(accounting.get())) {
-        extract_map(surface, *tracking, renamed.vertex, renamed.triangle, reduction.map);
-        extract_vertex_errors(rows, reduction, reduction.vertex_errors);
+    if (ticker.ask()) {
+        const Rows rows(mesh, bounds);
+        const std::vector<char> candidate = find_candidates(surface, options.locked);
+        const std::unique_ptr<Accounting> accounting = make_accounting(options, rows, surface);
+        Sweeper sweeper(surface, rows, *accounting, candidate);
+        std::vector<double> limits = options.sweeps;
+        for (double& limit : limits) limit *= rows.limit();
+        if (ticker.ask() && sweeper.sweep(limits, ticker)) {
+            const Renaming renamed = extract_mesh(mesh, surface, reduction);
+            report_everything(mesh, surface, rows, *accounting, renamed, options, reduction);
+            count_refusals(surface, sweeper, candidate, report);
+        }
     }
-    count_refusals(surface, sweeper, candidate, report);
+    if (ticker.cancelled()) {
+        report.stopped = Stopped::cancelled;
+        extract_mesh(mesh, surface, reduction);
+        report_limits(report);
+    }
     report.triangles_after = reduction.mesh.triangles.size();
     report.vertices_after = reduction.vertices.size();
     ticker.finish();
@@ -167,7 +195,9 @@ Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Re
         return {};
     } catch (const std::bad_alloc&) {
         return {Fault::out_of_memory,
-                "There is no memory left for reducing " + std::to_string(mesh.triangles.size()) + " triangles.", "", {}};
+                "There is no memory left for reducing " + std::to_string(mesh.triangles.size()) + " triangles.",
+                "",
+                {}};
     }
 }
 

@@ -10,9 +10,11 @@ Verdict Removal::attempt(std::uint32_t candidate, double squared_limit, Effort e
     lay_out(rows_, hole_);
     if (!legality_.enter(surface_, rows_, hole_)) return {Refusal::topology};
     accounting_.enter(hole_);
-    if (!retriangulator_.triangulate(rows_, hole_, legality_, accounting_.cost(), retriangulation_)) return {Refusal::fold};
+    if (!retriangulator_.triangulate(rows_, hole_, legality_, accounting_.cost(), retriangulation_))
+        return {Refusal::fold};
     Measured measured = accounting_.measure(retriangulation_, squared_limit);
-    if (measured.squared_ratio > squared_limit && effort == Effort::thorough) measured = try_fans(squared_limit, measured);
+    if (measured.squared_ratio > squared_limit && effort == Effort::thorough)
+        measured = try_fans(squared_limit, measured);
     if (measured.squared_ratio > squared_limit) return {Refusal::bound, measured.squared_ratio, measured.variable};
     surface_.retriangulate(hole_, retriangulation_);
     accounting_.commit(retriangulation_);

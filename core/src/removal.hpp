@@ -23,8 +23,8 @@ enum class Refusal : std::uint8_t {
 
 struct Verdict {
     Refusal refusal = Refusal::none;
-    double squared_ratio = 0;  ///< with Refusal::bound: at least this squared ratio to the bound would have resulted
-    std::size_t variable = 0;  ///< and in this variable
+    double squared_ratio = 0; ///< with Refusal::bound: at least this squared ratio to the bound would have resulted
+    std::size_t variable = 0; ///< and in this variable
 };
 
 /// One removal, start to end (§3.1): star, layout, retriangulation, mapping, measurement, and acceptance or nothing.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -25,7 +26,7 @@ public:
     /// Barycentric coordinates of a resident in its triangle, by the corners' half-edges 3 slot, 3 slot + 1, 3 slot + 2.
     glm::dvec3 barycentric(std::uint32_t vertex) const {
         const Place& place = places_[vertex];
-        return {1 - place.x - place.y, place.x, place.y};
+        return {std::max(0.0, 1 - place.x - place.y), place.x, place.y};
     }
     /// Share along its boundary edge, from the edge's lower vertex.
     double share(std::uint32_t vertex) const { return places_[vertex].x; }

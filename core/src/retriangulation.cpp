@@ -87,7 +87,8 @@ bool Retriangulator::fan(const Hole& hole, const Legality& legality, int hub, Re
     if (hub > 0 && hub < size - 1) middle_[at(size - 1)] = hub;
     unfold(size, best);
     for (const NewTriangle& triangle : best.triangles)
-        if (!legality.allows_edge(triangle.a, triangle.b) || !legality.allows_triangle(triangle.a, triangle.m, triangle.b))
+        if (!legality.allows_edge(triangle.a, triangle.b) ||
+            !legality.allows_triangle(triangle.a, triangle.m, triangle.b))
             return false;
     return true;
 }

@@ -23,7 +23,8 @@ public:
 class Retriangulator {
 public:
     /// Fills `best`; false where no legal triangulation exists.
-    bool triangulate(const Rows& rows, const Hole& hole, const Legality& legality, HoleCost& cost, Retriangulation& best);
+    bool triangulate(const Rows& rows, const Hole& hole, const Legality& legality, HoleCost& cost,
+                     Retriangulation& best);
 
     /// The triangulation whose triangles all meet at ring position `hub`; false where it is not legal.
     bool fan(const Hole& hole, const Legality& legality, int hub, Retriangulation& best);
@@ -32,8 +33,8 @@ private:
     void solve(const Rows& rows, const Hole& hole, const Legality& legality, HoleCost& cost);
     void unfold(int size, Retriangulation& best) const;
 
-    std::vector<double> cost_;  // [a * size + b]: cheapest filling of the sub-polygon a … b
-    std::vector<int> middle_;   // the third corner of its triangle on (a, b); -1: none is legal
+    std::vector<double> cost_; // [a * size + b]: cheapest filling of the sub-polygon a … b
+    std::vector<int> middle_;  // the third corner of its triangle on (a, b); -1: none is legal
 };
 
 } // namespace meshbound

@@ -40,7 +40,9 @@ void fill(const Variable& variable, const RowGroup& group, double unit, std::siz
 } // namespace
 
 Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds) {
-    const auto variable = [&](std::size_t i) -> const Variable& { return i == 0 ? mesh.position : mesh.variables[i - 1]; };
+    const auto variable = [&](std::size_t i) -> const Variable& {
+        return i == 0 ? mesh.position : mesh.variables[i - 1];
+    };
     double margin = 0;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         groups_.push_back({width_, variable(i).components, i, std::isfinite(bounds[i].absolute)});

@@ -12,9 +12,9 @@ namespace meshbound {
 
 /// The components of one variable within a row.
 struct RowGroup {
-    int first = 0, count = 0;  ///< components [first, first + count) of the row
-    std::size_t variable = 0;  ///< 0 is position, i + 1 the mesh's variable i
-    bool bounded = true;       ///< a free variable stands in units of its scale and holds nothing back
+    int first = 0, count = 0; ///< components [first, first + count) of the row
+    std::size_t variable = 0; ///< 0 is position, i + 1 the mesh's variable i
+    bool bounded = true;      ///< a free variable stands in units of its scale and holds nothing back
 };
 
 /// Every vertex as one row of numbers measured in bounds: position first, then the variables, each component centred and

@@ -41,9 +41,8 @@ void Surface::pair_half_edges() {
     edge_.assign(half_edges, no_index);
     for (std::size_t v = 0; v < kind_.size(); ++v) {
         const auto first = sorted.begin() + start[v], last = sorted.begin() + start[v + 1];
-        std::sort(first, last, [&](std::uint32_t g, std::uint32_t h) {
-            return upper(g) != upper(h) ? upper(g) < upper(h) : g < h;
-        });
+        std::sort(first, last,
+                  [&](std::uint32_t g, std::uint32_t h) { return upper(g) != upper(h) ? upper(g) < upper(h) : g < h; });
         for (auto run = first; run != last;) {
             auto end = run + 1;
             while (end != last && upper(*end) == upper(*run)) ++end;

@@ -23,7 +23,8 @@ void Sweeper::queue_candidates(double squared_limit) {
     queue_.clear();
     for (std::uint32_t vertex = 0; vertex < candidate_.size(); ++vertex) {
         const Verdict& verdict = verdicts_[vertex];
-        if (fresh_[vertex] || (verdict.refusal == Refusal::bound && verdict.squared_ratio <= squared_limit)) queue(vertex);
+        if (fresh_[vertex] || (verdict.refusal == Refusal::bound && verdict.squared_ratio <= squared_limit))
+            queue(vertex);
     }
 }
 

@@ -17,7 +17,11 @@ public:
     bool tick(std::size_t work, double progress) {
         reached_ = std::max(reached_, std::min(progress, 1.0));
         pending_ += work;
-        if (pending_ < work_between_calls) return !cancelled_;
+        return pending_ < work_between_calls ? !cancelled_ : ask();
+    }
+
+    /// Reports and asks at once: between the steps of preparing, each of which takes a while on a large mesh.
+    bool ask() {
         pending_ = 0;
         if (progress_ && !cancelled_) cancelled_ = !progress_(reached_);
         return !cancelled_;

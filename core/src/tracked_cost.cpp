@@ -44,7 +44,8 @@ double TrackedCost::triangle(int a, int m, int b) {
     const JointTriangle joint(*rows_, row(a), row(m), row(b));
     double sum = 0;
     for (const InnerVertex& inner : sample_) {
-        if (orientation(p, q, inner.place) < 0 || orientation(q, r, inner.place) < 0 || orientation(r, p, inner.place) < 0)
+        if (orientation(p, q, inner.place) < 0 || orientation(q, r, inner.place) < 0 ||
+            orientation(r, p, inner.place) < 0)
             continue;
         const double* vertex = (*rows_)[inner.vertex];
         sum += joint.squared_ratio(*rows_, vertex, joint.nearest(*rows_, vertex));

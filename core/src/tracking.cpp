@@ -16,7 +16,7 @@ constexpr double content_with = 0.3;
 
 /// Neighbouring crossings stay apart on their original edge by at least this share of the room that is left there: at one place
 /// Φ would open it into a segment, and be a map only in the limit.
-constexpr double least_gap = 1e-3;
+constexpr double least_gap = 1e-12;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -28,8 +28,9 @@ double clamped(double x, double low, double high) { return x > low ? std::min(x,
 } // namespace
 
 Tracking::Tracking(const Rows& rows, const Surface& surface, const Options& options)
-    : rows_(&rows), measured_rows_(rows, surface.vertex_count()), surface_(&surface), options_(options), edges_(surface),
-      crossings_(surface.edge_count()), residents_(surface), content_(surface), cost_(measured_rows_) {}
+    : rows_(&rows), measured_rows_(rows, surface.vertex_count()), surface_(&surface), options_(options),
+      edges_(surface), crossings_(surface.edge_count()), residents_(surface), content_(surface), cost_(measured_rows_) {
+}
 
 void Tracking::enter(const Hole& hole) {
     hole_ = &hole;
@@ -192,7 +193,8 @@ void Tracking::find_path(const Retriangulation& retriangulation, const Piece& pi
 }
 
 /// Crossings of the straight segment between the piece's ends with the diagonals on its path, each clamped into its
-/// diagonal, in order along the piece: the order is all that the proof needs.
+/// diagonal, in order along the piece: the order is all that the proof needs. A diagonal along the segment is crossed
+/// wherever the two meet.
 void Tracking::cross_straight(const Retriangulation& retriangulation, const Piece& piece, std::size_t first) {
     const glm::dvec2 start = place_of(piece.start), direction = place_of(piece.end) - start;
     double reached = 0;
@@ -201,9 +203,11 @@ void Tracking::cross_straight(const Retriangulation& retriangulation, const Piec
         const NewTriangle& triangle = retriangulation.triangles[at(crossing.triangle)];
         const glm::dvec2 a = hole_->places[at(triangle.a)], along = hole_->places[at(triangle.b)] - a;
         const double denominator = cross(direction, along);
+        const double meeting = denominator != 0 ? cross(a - start, along) / denominator
+                                                : glm::dot(a - start, direction) / glm::dot(direction, direction);
         const double low = reached + least_gap * (1 - reached), high = 1 - least_gap * (1 - low);
-        reached = clamped(cross(a - start, along) / denominator, low, high);
-        crossing.t = clamped(cross(a - start, direction) / denominator, 0, 1);
+        reached = clamped(meeting, low, high);
+        crossing.t = clamped(glm::dot(start + reached * direction - a, along) / glm::dot(along, along), 0, 1);
         crossing.s = piece.start.s + reached * (piece.end.s - piece.start.s);
     }
 }
@@ -211,8 +215,8 @@ void Tracking::cross_straight(const Retriangulation& retriangulation, const Piec
 auto Tracking::difference_at(const Piece& piece, const NewCrossing& crossing) const {
     const JointTriangle& joint = joints_[at(crossing.triangle)];
     return MeasuredRows::segment_difference(measured_rows_[edges_.lower(piece.original)],
-                                            measured_rows_[edges_.upper(piece.original)], crossing.s, joint.a(), joint.c(),
-                                            crossing.t);
+                                            measured_rows_[edges_.upper(piece.original)], crossing.s, joint.a(),
+                                            joint.c(), crossing.t);
 }
 
 double Tracking::error_at(const Piece& piece, const NewCrossing& crossing) const {
@@ -221,7 +225,8 @@ double Tracking::error_at(const Piece& piece, const NewCrossing& crossing) const
 
 /// The freedom of Φ: s may be anywhere between its neighbours on the original edge, t anywhere on the diagonal.
 void Tracking::choose_crossings(const Piece& piece, std::size_t first, double threshold) {
-    const JointSegment original{measured_rows_[edges_.lower(piece.original)], measured_rows_[edges_.upper(piece.original)]};
+    const JointSegment original{measured_rows_[edges_.lower(piece.original)],
+                                measured_rows_[edges_.upper(piece.original)]};
     for (std::size_t n = first; n < new_crossings_.size(); ++n) {
         NewCrossing& crossing = new_crossings_[n];
         const double error = error_at(piece, crossing);
@@ -244,10 +249,10 @@ bool Tracking::lay_piece(const Retriangulation& retriangulation, const Piece& pi
     const std::size_t first = new_crossings_.size();
     new_crossings_.insert(new_crossings_.end(), path_.begin(), path_.end());
     cross_straight(retriangulation, piece, first);
-    if (options_.choose_crossings)
-        choose_crossings(piece, first, content_with * content_with * squared_limit);
+    if (options_.choose_crossings) choose_crossings(piece, first, content_with * content_with * squared_limit);
     for (std::size_t n = first; n < new_crossings_.size(); ++n)
-        if (!record(error_at(piece, new_crossings_[n]), difference_at(piece, new_crossings_[n]), squared_limit)) return false;
+        if (!record(error_at(piece, new_crossings_[n]), difference_at(piece, new_crossings_[n]), squared_limit))
+            return false;
     return true;
 }
 
@@ -264,7 +269,8 @@ void Tracking::commit(const Retriangulation& retriangulation) {
             residents_.settle_in_triangle(inner.vertex, triangle.slot, settlements_[i].weight);
         } else if (inner.host == InnerVertex::Host::closing) {
             const bool canonical = hole_->ring.front() < hole_->ring.back();
-            residents_.settle_on_edge(inner.vertex, triangle.edge, canonical ? settlements_[i].weight.z : 1 - settlements_[i].weight.z);
+            residents_.settle_on_edge(inner.vertex, triangle.edge,
+                                      canonical ? settlements_[i].weight.z : 1 - settlements_[i].weight.z);
         }
     }
     for (std::size_t p = 0; p < content_.pieces().size(); ++p) {
@@ -290,7 +296,8 @@ void Tracking::commit(const Retriangulation& retriangulation) {
 
 /// Visits, as rows (original, reduced), every corner of the map that lies in a triangle: its residents and the crossings and
 /// residents of its edges.
-template <class Visit> void Tracking::for_each_corner(std::uint32_t slot, const Visit& visit) const {
+template <class Visit>
+void Tracking::for_each_corner(std::uint32_t slot, const Visit& visit) const {
     std::vector<double> original(at(rows_->width())), reduced(at(rows_->width()));
     const double* corner[3];
     for (std::uint32_t i = 0; i < 3; ++i) corner[i] = (*rows_)[surface_->origin(3 * slot + i)];
@@ -312,7 +319,8 @@ template <class Visit> void Tracking::for_each_corner(std::uint32_t slot, const 
         }
         for (std::uint32_t id = crossings_.on(surface_->edge(h)); id != no_index; id = crossings_[id].sibling) {
             const Crossing& crossing = crossings_[id];
-            mix(original, (*rows_)[edges_.lower(crossing.original)], (*rows_)[edges_.upper(crossing.original)], crossing.s);
+            mix(original, (*rows_)[edges_.lower(crossing.original)], (*rows_)[edges_.upper(crossing.original)],
+                crossing.s);
             mix(reduced, lower, upper, crossing.t);
             visit(original.data(), reduced.data());
         }

@@ -66,8 +66,10 @@ private:
     int triangle_at(const PieceEnd& end) const;
     glm::dvec2 place_of(const PieceEnd& end) const;
     void find_path(const Retriangulation& retriangulation, const Piece& piece);
-    template <class Difference> bool record(double squared_error, const Difference& difference, double squared_limit);
-    template <class Visit> void for_each_corner(std::uint32_t slot, const Visit& visit) const;
+    template <class Difference>
+    bool record(double squared_error, const Difference& difference, double squared_limit);
+    template <class Visit>
+    void for_each_corner(std::uint32_t slot, const Visit& visit) const;
 
     const Rows* rows_;
     MeasuredRows measured_rows_;
@@ -82,13 +84,13 @@ private:
     // The removal at hand.
     const Hole* hole_ = nullptr;
     Measured measured_;
-    std::vector<int> depth_;            // by new triangle
-    std::vector<int> at_rim_;           // by rim: its new triangle
-    std::vector<JointTriangle> joints_; // by new triangle
-    std::vector<Settlement> settlements_;      // by inner vertex
-    std::vector<glm::dvec2> places_;           // by inner vertex, after settling
-    std::vector<NewCrossing> new_crossings_;   // piece after piece
-    std::vector<std::size_t> piece_start_;     // by piece: its first crossing
+    std::vector<int> depth_;                 // by new triangle
+    std::vector<int> at_rim_;                // by rim: its new triangle
+    std::vector<JointTriangle> joints_;      // by new triangle
+    std::vector<Settlement> settlements_;    // by inner vertex
+    std::vector<glm::dvec2> places_;         // by inner vertex, after settling
+    std::vector<NewCrossing> new_crossings_; // piece after piece
+    std::vector<std::size_t> piece_start_;   // by piece: its first crossing
     std::vector<NewCrossing> path_, path_down_;
 };
 

@@ -64,7 +64,8 @@ Status check_finite(const Variable& variable, Fault fault) {
     const std::size_t vertex = bad / static_cast<std::size_t>(variable.components);
     const int component = static_cast<int>(bad % static_cast<std::size_t>(variable.components));
     const char* what = std::isnan(value_at(variable, vertex, component)) ? "not a number" : "infinite";
-    return {fault, "The variable " + quoted(variable.name) + " is " + what + " at vertex " + std::to_string(vertex) + ".",
+    return {fault,
+            "The variable " + quoted(variable.name) + " is " + what + " at vertex " + std::to_string(vertex) + ".",
             variable.name, vertex};
 }
 

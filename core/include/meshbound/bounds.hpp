@@ -36,10 +36,11 @@ using Bounds = std::vector<NamedBound>;
 /// The bound of one variable in its own unit, with what it was taken from.
 struct ResolvedBound {
     Bound given;
-    double extent = 0;     ///< length of the diagonal of the box of the values: max - min for a scalar, in its unit
-    double magnitude = 0;  ///< largest absolute value of a component, in the variable's unit
-    bool constant = false; ///< extent below `constant_extent` of the magnitude: a relative bound is taken from the magnitude
-    double absolute = 0;   ///< the bound in the variable's unit; infinity where it is free
+    double extent = 0;    ///< length of the diagonal of the box of the values: max - min for a scalar, in its unit
+    double magnitude = 0; ///< largest absolute value of a component, in the variable's unit
+    bool constant =
+        false; ///< extent below `constant_extent` of the magnitude: a relative bound is taken from the magnitude
+    double absolute = 0; ///< the bound in the variable's unit; infinity where it is free
 };
 
 /// A variable whose extent is below this fraction of its magnitude is constant up to rounding (an isosurface of density

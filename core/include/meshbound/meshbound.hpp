@@ -8,5 +8,6 @@
 #include "meshbound/options.hpp"
 #include "meshbound/reduce.hpp"
 #include "meshbound/report.hpp"
+#include "meshbound/segmentation.hpp"
 #include "meshbound/status.hpp"
 #include "meshbound/validate.hpp"

@@ -23,8 +23,8 @@ struct TriangleErrors {
 
 /// The outcome of a reduction.
 struct Reduction {
-    Mesh mesh;                                  ///< the reduced mesh: all variables of the input, in their order
-    std::vector<std::uint32_t> vertices;        ///< for each of its vertices the index in the input, rising
+    Mesh mesh;                                   ///< the reduced mesh: all variables of the input, in their order
+    std::vector<std::uint32_t> vertices;         ///< for each of its vertices the index in the input, rising
     std::vector<TriangleErrors> triangle_errors; ///< position first, then the mesh's variables in their order
     SurfaceMap map;                              ///< tracked errors only, empty else
     std::vector<VertexErrors> vertex_errors;     ///< tracked errors only; position first, then the mesh's variables
@@ -40,7 +40,8 @@ struct Reduction {
 /// the input's, with their values bit for bit. The same input gives the same bytes on every machine.
 ///
 /// Source: Bajaj & Schikore 1996, §3. Faults: those of validate and resolve_bounds, bad_option, too_large, out_of_memory;
-/// `reduction` is then untouched. A cancelled call returns an ok status and a valid result, marked as cancelled.
+/// `reduction` is then untouched. A cancelled call returns an ok status and a valid mesh, marked as cancelled; so that it
+/// answers at once, its report gives the bounds for errors, and map, triangle and vertex errors are empty.
 Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Reduction& reduction,
               const Progress& progress = {});
 

@@ -14,9 +14,9 @@ struct VariableReport {
     std::string name;
     int components = 1;
     ResolvedBound bound;
-    double error = 0;                ///< no point of the surface has a larger error than this
-    double ratio = 0;                ///< error / bound; 1 is the limit; 0 where the variable is free
-    std::size_t refused = 0;         ///< vertices still there because removing them would break this variable's bound
+    double error = 0;        ///< no point of the surface has a larger error than this
+    double ratio = 0;        ///< error / bound; 1 is the limit; 0 where the variable is free
+    std::size_t refused = 0; ///< vertices still there because removing them would break this variable's bound
 };
 
 /// Why vertices that are still there could not go, besides the bounds (see VariableReport::refused).
@@ -28,7 +28,7 @@ struct Refusals {
 
 enum class Stopped {
     finished,  ///< no single vertex can go any more
-    cancelled, ///< the caller cancelled; the result is valid and within the bounds, but larger than need be
+    cancelled, ///< the caller cancelled; the mesh is valid and within the bounds, but larger than need be
 };
 
 struct Report {
@@ -38,6 +38,9 @@ struct Report {
     Refusals refused;
     Oddities oddities;
     std::size_t non_manifold_vertices = 0; ///< fixed because of non-manifold edges or bow-ties
+    /// Tracked errors only: into how many cells the map cuts the original (figure 5), and how many of them it turns over
+    /// (see Segmentation). Folds of the map are no folds of the surface; they matter to morphing.
+    std::size_t cells = 0, folded_cells = 0;
     Stopped stopped = Stopped::finished;
 };
 

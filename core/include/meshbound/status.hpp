@@ -10,21 +10,21 @@ namespace meshbound {
 /// What can be wrong with the input of a reduction. One value a fault, so that a caller can act on it.
 enum class Fault {
     none,
-    no_triangles,         ///< the mesh has no triangle with three distinct vertices
-    bad_coordinates,      ///< the number of coordinates is not a multiple of three, or position has not 3 components
-    bad_index,            ///< a triangle names a vertex that does not exist
-    non_finite_position,  ///< NaN or infinity among the coordinates
-    bad_components,       ///< a variable has no or too many components
-    wrong_value_count,    ///< a variable has fewer or more values than the vertices need
-    non_finite_value,     ///< NaN or infinity in a variable; excluding that variable mends it
-    empty_name,           ///< a variable without a name
-    duplicate_name,       ///< two variables with one name, or a variable named "position" or "*"
-    unknown_variable,     ///< a bound for a variable that the mesh has not
-    bad_bound,            ///< a bound that is negative, zero or not a finite number
-    bound_too_fine,       ///< a bound below what double precision can carry beside the magnitude of the values
-    bad_option,           ///< an option outside its documented range
-    too_large,            ///< more vertices or triangles than 32-bit indices can name
-    out_of_memory,        ///< the machine (or WebAssembly's 4 GB) has no room for this reduction
+    no_triangles,        ///< the mesh has no triangle with three distinct vertices
+    bad_coordinates,     ///< the number of coordinates is not a multiple of three, or position has not 3 components
+    bad_index,           ///< a triangle names a vertex that does not exist
+    non_finite_position, ///< NaN or infinity among the coordinates
+    bad_components,      ///< a variable has no or too many components
+    wrong_value_count,   ///< a variable has fewer or more values than the vertices need
+    non_finite_value,    ///< NaN or infinity in a variable; excluding that variable mends it
+    empty_name,          ///< a variable without a name
+    duplicate_name,      ///< two variables with one name, or a variable named "position" or "*"
+    unknown_variable,    ///< a bound for a variable that the mesh has not
+    bad_bound,           ///< a bound that is negative, zero or not a finite number
+    bound_too_fine,      ///< a bound below what double precision can carry beside the magnitude of the values
+    bad_option,          ///< an option outside its documented range
+    too_large,           ///< more vertices or triangles than 32-bit indices can name
+    out_of_memory,       ///< the machine (or WebAssembly's 4 GB) has no room for this reduction
 };
 
 /// The name of a fault as written above: "bad_index". Stable, meant for programs.
@@ -33,9 +33,9 @@ std::string_view fault_name(Fault fault);
 /// The outcome of a call: fine, or a fault with a sentence that says what is wrong and where.
 struct Status {
     Fault fault = Fault::none;
-    std::string message;                 ///< for people: "Triangle 7 names vertex 12, but the mesh has 10 vertices (0 to 9)."
-    std::string variable;                ///< the variable at fault; empty where none is
-    std::optional<std::size_t> index;    ///< the triangle, vertex or value at fault, where one is
+    std::string message;  ///< for people: "Triangle 7 names vertex 12, but the mesh has 10 vertices (0 to 9)."
+    std::string variable; ///< the variable at fault; empty where none is
+    std::optional<std::size_t> index; ///< the triangle, vertex or value at fault, where one is
 
     bool ok() const { return fault == Fault::none; }
 };
