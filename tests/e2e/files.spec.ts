@@ -2,13 +2,15 @@ import { readFile } from 'node:fs/promises';
 import { expect, type Page, test } from '@playwright/test';
 import type { Mesh } from '../../wasm/types.ts';
 import { readSurface } from '../../web/formats/read.ts';
-import { chooseFile, counts, dropFile, openPage, sentence, settled } from './open-page.ts';
+import { chooseFile, counts, dropFile, sentence, settled, sharePage, typePercent } from './open-page.ts';
 import { coverage, pictureOf } from './picture.ts';
 import { brokenFiles, ply, sheet, squareWithNaN } from './surfaces.ts';
 
-async function saved(page: Page, format: string): Promise<{ name: string; bytes: Uint8Array }> {
-  const started = page.waitForEvent('download');
-  await page.getByRole('button', { name: `Save ${format.toUpperCase()}` }).click();
+const page = sharePage();
+
+async function saved(shown: Page, format: string): Promise<{ name: string; bytes: Uint8Array }> {
+  const started = shown.waitForEvent('download');
+  await shown.getByRole('button', { name: `Save ${format.toUpperCase()}` }).click();
   const download = await started;
   return { name: download.suggestedFilename(), bytes: new Uint8Array(await readFile(await download.path())) };
 }
@@ -22,14 +24,31 @@ function vertexText({ position, variables }: Mesh, vertex: number): string {
   return numbers.join(' ');
 }
 
+test('says what is wrong with a broken file and keeps the last good state', async () => {
+  const before = await sentence(page()).innerText();
+  for (const { name, content, says } of brokenFiles) {
+    await dropFile(page(), name, content);
+    const alert = page().getByRole('alert');
+    await expect(alert).toContainText(`${name}: `);
+    await expect(alert).toContainText(says);
+    await alert.getByRole('button', { name: 'Dismiss' }).click();
+    await expect(alert).toHaveCount(0);
+    expect(await sentence(page()).innerText()).toBe(before);
+  }
+  await expect(page().getByLabel('Sample')).toHaveValue('fireballs');
+  expect(coverage(await pictureOf(page(), 'reduced'))).toBeGreaterThan(0.1);
+  // Usable as before.
+  await typePercent(page(), 'Bound of pressure', '9');
+  await expect(sentence(page())).toContainText(/9.% in pressure/);
+});
+
 for (const format of ['ply', 'vtp']) {
-  test(`saves the reduced surface as ${format}, with every variable and the values of the input`, async ({ page }) => {
-    await openPage(page);
-    await chooseFile(page, 'my sheet.ply', sheet(40));
-    await expect.poll(async () => (await counts(page)).before).toBe(2 * 39 * 39);
-    await settled(page);
-    const { after } = await counts(page);
-    const { name, bytes } = await saved(page, format);
+  test(`saves the reduced surface as ${format}, with every variable and the values of the input`, async () => {
+    await chooseFile(page(), 'my sheet.ply', sheet(40));
+    await expect.poll(async () => (await counts(page())).before).toBe(2 * 39 * 39);
+    await settled(page());
+    const { after } = await counts(page());
+    const { name, bytes } = await saved(page(), format);
     expect(name).toBe(`my-sheet-reduced.${format}`);
     const { mesh } = await readSurface(name, bytes);
     const original = (await readSurface('sheet.ply', new Uint8Array(sheet(40)))).mesh;
@@ -44,58 +63,33 @@ for (const format of ['ply', 'vtp']) {
   });
 }
 
-test('what was saved opens again', async ({ page }) => {
-  await openPage(page);
-  const { after } = await counts(page);
-  const { name, bytes } = await saved(page, 'vtp');
-  await chooseFile(page, name, Buffer.from(bytes));
-  await expect.poll(async () => (await counts(page)).before).toBe(after);
-  await expect(page.getByLabel('Sample')).toHaveValue('');
+test('what was saved opens again', async () => {
+  const { after } = await counts(page());
+  const { name, bytes } = await saved(page(), 'vtp');
+  await chooseFile(page(), name, Buffer.from(bytes));
+  await expect.poll(async () => (await counts(page())).before).toBe(after);
+  await expect(page().getByLabel('Sample')).toHaveValue('');
 });
 
-test('opens a file dropped anywhere', async ({ page }) => {
-  await openPage(page);
-  await dropFile(page, 'sheet.ply', sheet(30));
-  await expect.poll(async () => (await counts(page)).before).toBe(2 * 29 * 29);
-  await expect(page.getByTitle('heat', { exact: true })).toBeVisible();
-  await expect.poll(async () => coverage(await pictureOf(page, 'reduced'))).toBeGreaterThan(0.1);
+test('opens a file dropped anywhere', async () => {
+  await dropFile(page(), 'sheet.ply', sheet(30));
+  await expect.poll(async () => (await counts(page())).before).toBe(2 * 29 * 29);
+  await expect(page().getByTitle('heat', { exact: true })).toBeVisible();
+  await expect.poll(async () => coverage(await pictureOf(page(), 'reduced'))).toBeGreaterThan(0.1);
 });
 
-test('says what is wrong with a broken file and keeps the last good state', async ({ page }) => {
-  await openPage(page);
-  const before = await sentence(page).innerText();
-  for (const { name, content, says } of brokenFiles) {
-    await dropFile(page, name, content);
-    const alert = page.getByRole('alert');
-    await expect(alert).toContainText(`${name}: `);
-    await expect(alert).toContainText(says);
-    await alert.getByRole('button', { name: 'Dismiss' }).click();
-    await expect(alert).toHaveCount(0);
-    expect(await sentence(page).innerText()).toBe(before);
-  }
-  await expect(page.getByLabel('Sample')).toHaveValue('fireballs');
-  expect(coverage(await pictureOf(page, 'reduced'))).toBeGreaterThan(0.1);
-  // Usable as before.
-  const field = page.getByLabel('Bound of pressure in percent');
-  await field.fill('9');
-  await field.press('Enter');
-  await expect(sentence(page)).toContainText(/9.% in pressure/);
+test('offers to leave out a variable that is no number', async () => {
+  const before = await sentence(page()).innerText();
+  await dropFile(page(), 'square.ply', squareWithNaN());
+  await expect(page().getByRole('alert')).toContainText(/square\.ply.*pressure.*vertex 1/);
+  expect(await sentence(page()).innerText()).toBe(before);
+  await page().getByRole('button', { name: 'Leave out “pressure”' }).click();
+  await expect(sentence(page())).toContainText('2 of 4 triangles');
+  await expect(sentence(page())).not.toContainText('pressure');
+  await expect(page().locator('meshbound-notices')).toContainText('“pressure” was left out');
 });
 
-test('offers to leave out a variable that is no number', async ({ page }) => {
-  await openPage(page);
-  const before = await sentence(page).innerText();
-  await dropFile(page, 'square.ply', squareWithNaN());
-  await expect(page.getByRole('alert')).toContainText(/square\.ply.*pressure.*vertex 1/);
-  expect(await sentence(page).innerText()).toBe(before);
-  await page.getByRole('button', { name: 'Leave out “pressure”' }).click();
-  await expect(sentence(page)).toContainText('2 of 4 triangles');
-  await expect(sentence(page)).not.toContainText('pressure');
-  await expect(page.locator('meshbound-notices')).toContainText('“pressure” was left out');
-});
-
-test('says what is odd about a file that it opens', async ({ page }) => {
-  await openPage(page);
+test('says what is odd about a file that it opens', async () => {
   const vertices = [
     [0, 0, 0],
     [1, 0, 0],
@@ -104,7 +98,7 @@ test('says what is odd about a file that it opens', async ({ page }) => {
     [5, 5, 5],
   ];
   await dropFile(
-    page,
+    page(),
     'quad.ply',
     ply({
       vertices,
@@ -114,21 +108,20 @@ test('says what is odd about a file that it opens', async ({ page }) => {
       ],
     }),
   );
-  const notices = page.locator('meshbound-notices');
+  const notices = page().locator('meshbound-notices');
   await expect(notices).toContainText('1 vertex belongs to no triangle');
   await expect(notices).toContainText('1 triangle with a repeated vertex');
   await expect(notices).toContainText('more than three corners split into triangles');
 });
 
-test('names from a file are shown as text', async ({ page }) => {
-  await openPage(page);
+test('names from a file are shown as text', async () => {
   const name = '<img/src=x/onerror=document.title="broken">';
   const vertices = [
     [0, 0, 0, 1],
     [1, 0, 0, 2],
     [0, 1, 0, 3],
   ];
-  await dropFile(page, '<b>bold</b>.ply', ply({ vertices, faces: [[0, 1, 2]], variables: [name] }));
-  await expect(page.locator('meshbound-bound-row').nth(1)).toContainText(name);
-  await expect(page).toHaveTitle('Meshbound');
+  await dropFile(page(), '<b>bold</b>.ply', ply({ vertices, faces: [[0, 1, 2]], variables: [name] }));
+  await expect(page().locator('meshbound-bound-row').nth(1)).toContainText(name);
+  await expect(page()).toHaveTitle('Meshbound');
 });

@@ -1,4 +1,4 @@
-import { expect, type Locator, type Page } from '@playwright/test';
+import { expect, type Locator, type Page, test } from '@playwright/test';
 
 /** The sentence that states the result. */
 export function sentence(page: Page): Locator {
@@ -9,6 +9,45 @@ export function sentence(page: Page): Locator {
 export async function openPage(page: Page): Promise<void> {
   await page.goto('./');
   await expect(sentence(page)).toContainText('proved');
+  await settled(page);
+}
+
+/**
+ * One page, opened once for all tests of a file, one after the other; a failed test gives the next one a page of its own.
+ * Each test sets what it needs, whatever the one before left behind.
+ */
+export function sharePage(): () => Page {
+  let page: Page;
+  test.describe.configure({ mode: 'default' });
+  test.beforeAll(async ({ browser }) => {
+    page = await browser.newPage();
+    await openPage(page);
+  });
+  test.afterAll(() => page.close());
+  return () => page;
+}
+
+/** Sets a view by the controls of the toolbar; what is left out is as at first. */
+export async function look(
+  page: Page,
+  { colour = 'pressure', show = 'values', map = 'viridis', edges = false, linked = true } = {},
+): Promise<void> {
+  await page.getByLabel('Show').selectOption({ label: 'values' });
+  await page.getByLabel('Map').selectOption(map);
+  // Which variables there are to choose depends on what is shown; signs, on the variable.
+  if (show !== 'values') await page.getByLabel('Show').selectOption({ label: 'error / bound' });
+  await page.getByLabel('Colour').selectOption({ label: colour });
+  await page.getByLabel('Show').selectOption({ label: show });
+  await page.getByLabel('Edges').setChecked(edges);
+  await page.getByLabel('One camera').setChecked(linked);
+  await page.getByRole('button', { name: 'Fit' }).click();
+}
+
+/** Types a percentage into a field, and waits for the result. */
+export async function typePercent(page: Page, label: string, percent: string): Promise<void> {
+  const field = page.getByLabel(`${label} in percent`);
+  await field.fill(percent);
+  await field.press('Enter');
   await settled(page);
 }
 

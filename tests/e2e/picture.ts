@@ -55,8 +55,8 @@ function colourAtPixel({ pixels }: Picture, pixel: number): Rgb {
   return [pixels[4 * pixel], pixels[4 * pixel + 1], pixels[4 * pixel + 2]];
 }
 
-function apart(a: Rgb, b: Rgb): number {
-  return Math.max(...a.map((part, index) => Math.abs(part - b[index])));
+function apart([red, green, blue]: Rgb, [otherRed, otherGreen, otherBlue]: Rgb): number {
+  return Math.max(Math.abs(red - otherRed), Math.abs(green - otherGreen), Math.abs(blue - otherBlue));
 }
 
 /** Pixels well inside the surface: they and their neighbours differ from the background, which the first pixel shows. */
@@ -98,22 +98,49 @@ const judgedPixels = 1500;
 /** The share of the surface's pixels whose colour is one of the map's, lit, 0…1. */
 export function shareFromMap(picture: Picture, map: Colormap): number {
   const table = colourTable(map);
-  const inside = surfacePixels(picture);
-  const step = Math.max(1, Math.floor(inside.length / judgedPixels));
-  const judged = inside.filter((_, index) => index % step === 0);
+  const judged = judgedOf(surfacePixels(picture));
   const found = judged.filter((pixel) => isLitColourOf(table, colourAtPixel(picture, pixel)));
   return found.length / judged.length;
 }
 
+/** A place of the surface in the picture, 0…1 from left to right, with the place in the map that its colour stands for. */
+export interface ShownPlace {
+  x: number;
+  place: number;
+}
+
+/** What the colours of the surface's pixels stand for in the map, 0…1. Light is allowed for as far as colour tells it. */
+export function placesIn(picture: Picture, map: Colormap): ShownPlace[] {
+  const table = colourTable(map);
+  const entries = entriesOf(table);
+  return judgedOf(surfacePixels(picture)).map((pixel) => {
+    const seen = colourAtPixel(picture, pixel);
+    const distances = entries.map((entry) => distanceToLit(table, entry, seen));
+    const nearest = distances.indexOf(Math.min(...distances));
+    return { x: (pixel % picture.width) / picture.width, place: nearest / (entries.length - 1) };
+  });
+}
+
+function judgedOf(pixels: number[]): number[] {
+  const step = Math.max(1, Math.floor(pixels.length / judgedPixels));
+  return pixels.filter((_, index) => index % step === 0);
+}
+
+/** How far a colour is from an entry of the map in the light that fits best. */
+function distanceToLit(table: Uint8Array, entry: number, seen: Rgb): number {
+  const [red, green, blue] = [table[4 * entry], table[4 * entry + 1], table[4 * entry + 2]];
+  const along = seen[0] * red + seen[1] * green + seen[2] * blue;
+  const light = along / (red * red + green * green + blue * blue);
+  const factor = Math.min(1, Math.max(darkest, light));
+  return apart(seen, [factor * red, factor * green, factor * blue]);
+}
+
 function isLitColourOf(table: Uint8Array, seen: Rgb): boolean {
-  for (let entry = 0; entry < table.length; entry += 4) {
-    const colour: Rgb = [table[entry], table[entry + 1], table[entry + 2]];
-    const along = seen.reduce((sum, part, index) => sum + part * colour[index], 0);
-    const light = along / colour.reduce((sum, part) => sum + part * part, 0);
-    const factor = Math.min(1, Math.max(darkest, light));
-    if (apart(seen, colour.map((part) => factor * part) as Rgb) <= sameColour) return true;
-  }
-  return false;
+  return entriesOf(table).some((entry) => distanceToLit(table, entry, seen) <= sameColour);
+}
+
+function entriesOf(table: Uint8Array): number[] {
+  return Array.from({ length: table.length / 4 }, (_, entry) => entry);
 }
 
 /** Whether any pixel has the colour of a broken bound, lit. */

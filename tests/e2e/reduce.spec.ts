@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test';
-import { chooseFile, counts, openPage, sentence, settled } from './open-page.ts';
+import { chooseFile, counts, openPage, sentence, settled, sharePage, typePercent } from './open-page.ts';
 import { sheet } from './surfaces.ts';
 
 test('begins with a sample, reduced within the first bounds', async ({ page }) => {
@@ -14,40 +14,9 @@ test('begins with a sample, reduced within the first bounds', async ({ page }) =
   await expect(sentence(page)).toContainText(/Every point within 1.% in space, 3.% in .*: proved; most used: .+, .+%/);
   expect([...hosts].filter((origin) => origin !== 'null')).toEqual([new URL(page.url()).origin]);
   expect(faults).toEqual([]);
-});
-
-test('the page is isolated, so that a running reduction can be cancelled in place', async ({ page }) => {
-  await page.goto('./');
+  // So that a running reduction can be cancelled in place.
   expect(await page.evaluate(() => crossOriginIsolated)).toBe(true);
-});
-
-test('opens another sample', async ({ page }) => {
-  await openPage(page);
-  const first = await counts(page);
-  await page.getByLabel('Sample').selectOption('impact');
-  await expect(page.getByTitle('iron', { exact: true })).toBeVisible();
-  await expect.poll(async () => (await counts(page)).before).not.toBe(first.before);
-  await expect(page.getByLabel('Sample')).toHaveValue('impact');
-});
-
-test('a looser bound leaves fewer triangles, a tighter one more, and the way there does not matter', async ({
-  page,
-}) => {
-  await openPage(page);
-  const first = await counts(page);
-  const all = page.getByRole('slider', { name: 'All bounds' });
-  const field = page.getByLabel('Largest bound in percent');
-  await all.fill('300');
-  await settled(page);
-  const loose = await counts(page);
-  expect(loose.before).toBe(first.before);
-  expect(loose.after).toBeLessThan(first.after);
-  await field.fill('0.3');
-  await field.press('Enter');
-  await expect.poll(async () => (await counts(page)).after).toBeGreaterThan(first.after);
-  await field.fill('3');
-  await field.press('Enter');
-  await expect.poll(() => counts(page)).toEqual(first);
+  await expect(page.getByRole('status').filter({ hasText: 'triangles' })).toHaveText(await sentence(page).innerText());
 });
 
 /** The number in a text like "bounded by 0.481 m". */
@@ -56,84 +25,101 @@ function numberIn(text: string): number {
   return Number(/\d[\d.]*(e-?\d+)?/.exec(plain)?.[0]);
 }
 
-test('states for each variable the bound and the error in its unit, and how much of the bound is used', async ({
-  page,
-}) => {
-  await openPage(page);
-  const rows = page.locator('meshbound-bound-row');
-  expect(await rows.count()).toBeGreaterThan(5);
-  for (const row of await rows.all()) {
-    const bound = numberIn(await row.locator('label').innerText());
-    const error = numberIn(await row.locator('.error').innerText());
-    expect(error).toBeLessThanOrEqual(bound);
-    const used = await row
-      .locator('input[type=range]')
-      .evaluate((slider: HTMLElement) => slider.style.getPropertyValue('--used'));
-    expect(Number(used)).toBeLessThanOrEqual(1);
-    if (error > 0) expect(Number(used)).toBeGreaterThan(0);
-  }
-});
+test.describe('on one page', () => {
+  const page = sharePage();
 
-test('a variable without a bound holds nothing back and nothing is promised of it', async ({ page }) => {
-  await openPage(page);
-  const first = await counts(page);
-  const toggle = page.getByRole('checkbox', { name: 'temperature bounded' });
-  await toggle.uncheck();
-  await expect(sentence(page)).toContainText('Free, so nothing promised: temperature');
-  expect((await counts(page)).after).toBeLessThan(first.after);
-  await expect(page.getByRole('slider', { name: 'Bound of temperature' })).toBeDisabled();
-  await toggle.check();
-  await expect.poll(() => counts(page)).toEqual(first);
-});
-
-test('refuses what cannot be a bound, says why and keeps the bound', async ({ page }) => {
-  await openPage(page);
-  const first = await sentence(page).innerText();
-  const field = page.getByLabel('Bound of pressure in percent');
-  for (const [typed, reason] of [
-    ['-3', 'cannot be negative'],
-    ['0', 'cannot be zero'],
-    ['three', '“three” is not a number'],
-    ['', 'needs a number'],
-  ]) {
-    await field.fill(typed);
-    await field.press('Enter');
-    await expect(page.getByRole('alert')).toContainText(reason);
-    await expect(field).toHaveAttribute('aria-invalid', 'true');
-  }
-  await field.press('Escape');
-  await expect(page.getByRole('alert')).toHaveCount(0);
-  await expect(field).toHaveValue('3');
-  expect(await sentence(page).innerText()).toBe(first);
-});
-
-test('a newer change cancels the run before it, and the page answers meanwhile', async ({ page }) => {
-  await openPage(page);
-  await chooseFile(page, 'sheet.ply', sheet(220));
-  await expect.poll(async () => (await counts(page)).before).toBe(2 * 219 * 219);
-  await settled(page);
-  const seen = await page.evaluateHandle(() => {
-    const app = document.querySelector('meshbound-app') as HTMLElement;
-    const bar = app.shadowRoot?.querySelector('meshbound-result-bar') as HTMLElement;
-    const texts: string[] = [];
-    const read = () => texts.push(bar.shadowRoot?.querySelector('.sentence')?.textContent ?? '');
-    new MutationObserver(read).observe(bar.shadowRoot as ShadowRoot, {
-      subtree: true,
-      characterData: true,
-      childList: true,
-    });
-    return texts;
+  test('a looser bound leaves fewer triangles, a tighter one more, and the way there does not matter', async () => {
+    const first = await counts(page());
+    await page().getByRole('slider', { name: 'All bounds' }).fill('300');
+    await expect.poll(async () => (await counts(page())).after).toBeLessThan(first.after);
+    expect((await counts(page())).before).toBe(first.before);
+    await typePercent(page(), 'Largest bound', '0.3');
+    await expect.poll(async () => (await counts(page())).after).toBeGreaterThan(first.after);
+    await typePercent(page(), 'Largest bound', '3');
+    await expect.poll(() => counts(page())).toEqual(first);
   });
-  const field = page.getByLabel('Bound of heat in percent');
-  for (const percent of ['0.02', '7', '0.03', '5']) {
-    await field.fill(percent);
-    await field.press('Enter');
-    // Typing goes through while a reduction runs.
-    await expect(field).toHaveValue(percent);
-  }
-  await expect(sentence(page)).toContainText(/5.% in heat/);
-  await settled(page);
-  const texts = (await seen.jsonValue()).map((text) => text.replace(/\u00a0/g, ' '));
-  expect(texts.filter((text) => text.includes('0.02 % in heat'))).toEqual([]);
-  expect(texts.at(-1)).toContain('5 % in heat');
+
+  test('states for each variable the bound and the error in its unit, and how much of the bound is used', async () => {
+    const rows = page().locator('meshbound-bound-row');
+    expect(await rows.count()).toBeGreaterThan(5);
+    for (const row of await rows.all()) {
+      const bound = numberIn(await row.locator('label').innerText());
+      const error = numberIn(await row.locator('.error').innerText());
+      expect(error).toBeLessThanOrEqual(bound);
+      const used = await row
+        .locator('input[type=range]')
+        .evaluate((slider: HTMLElement) => slider.style.getPropertyValue('--used'));
+      expect(Number(used)).toBeLessThanOrEqual(1);
+      if (error > 0) expect(Number(used)).toBeGreaterThan(0);
+    }
+  });
+
+  test('a variable without a bound holds nothing back and nothing is promised of it', async () => {
+    const first = await counts(page());
+    const toggle = page().getByRole('checkbox', { name: 'temperature bounded' });
+    await toggle.uncheck();
+    await expect(sentence(page())).toContainText('Free, so nothing promised: temperature');
+    expect((await counts(page())).after).toBeLessThan(first.after);
+    await expect(page().getByRole('slider', { name: 'Bound of temperature' })).toBeDisabled();
+    await toggle.check();
+    await expect.poll(() => counts(page())).toEqual(first);
+  });
+
+  test('refuses what cannot be a bound, says why and keeps the bound', async () => {
+    const first = await sentence(page()).innerText();
+    const field = page().getByLabel('Bound of pressure in percent');
+    for (const [typed, reason] of [
+      ['-3', 'cannot be negative'],
+      ['0', 'cannot be zero'],
+      ['three', '“three” is not a number'],
+      ['', 'needs a number'],
+    ]) {
+      await field.fill(typed);
+      await field.press('Enter');
+      await expect(page().getByRole('alert')).toContainText(reason);
+      await expect(field).toHaveAttribute('aria-invalid', 'true');
+    }
+    await field.press('Escape');
+    await expect(page().getByRole('alert')).toHaveCount(0);
+    await expect(field).toHaveValue('3');
+    expect(await sentence(page()).innerText()).toBe(first);
+  });
+
+  test('a newer change cancels the run before it, and the page answers meanwhile', async () => {
+    await chooseFile(page(), 'sheet.ply', sheet(220));
+    await expect.poll(async () => (await counts(page())).before).toBe(2 * 219 * 219);
+    await settled(page());
+    const seen = await page().evaluateHandle(() => {
+      const app = document.querySelector('meshbound-app') as HTMLElement;
+      const bar = app.shadowRoot?.querySelector('meshbound-result-bar') as HTMLElement;
+      const texts: string[] = [];
+      const read = () => texts.push(bar.shadowRoot?.querySelector('.sentence')?.textContent ?? '');
+      new MutationObserver(read).observe(bar.shadowRoot as ShadowRoot, {
+        subtree: true,
+        characterData: true,
+        childList: true,
+      });
+      return texts;
+    });
+    const field = page().getByLabel('Bound of heat in percent');
+    for (const percent of ['0.02', '7', '0.03', '5']) {
+      await field.fill(percent);
+      await field.press('Enter');
+      // Typing goes through while a reduction runs.
+      await expect(field).toHaveValue(percent);
+    }
+    await expect(sentence(page())).toContainText(/5.% in heat/);
+    await settled(page());
+    const texts = (await seen.jsonValue()).map((text) => text.replace(/\u00a0/g, ' '));
+    expect(texts.filter((text) => text.includes('0.02 % in heat'))).toEqual([]);
+    expect(texts.at(-1)).toContain('5 % in heat');
+  });
+
+  test('opens another sample', async () => {
+    await page().getByLabel('Sample').selectOption('impact');
+    await expect(page().getByTitle('iron', { exact: true })).toBeVisible();
+    await expect(page().getByLabel('Sample')).toHaveValue('impact');
+    await settled(page());
+    await expect(sentence(page())).toContainText('iron');
+  });
 });

@@ -24,12 +24,8 @@ export function ply({ vertices, faces, variables = [], declared = {} }: PlyParts
   return Buffer.from(`${lines.join('\n')}\n`);
 }
 
-/** A wavy sheet of 2 × (side − 1)² triangles with two variables, `heat` and `wind`. */
-export function sheet(side: number): Buffer {
-  const vertices = Array.from({ length: side * side }, (_, index) => {
-    const [x, y] = [(index % side) / (side - 1), Math.floor(index / side) / (side - 1)];
-    return [x, y, 0.1 * Math.sin(7 * x) * Math.cos(5 * y), 300 + 40 * Math.sin(9 * x + 4 * y), Math.cos(11 * x * y)];
-  });
+/** Two triangles to each square of side × side vertices, row by row. */
+function gridFaces(side: number): number[][] {
   const faces: number[][] = [];
   for (let row = 0; row + 1 < side; row++) {
     for (let column = 0; column + 1 < side; column++) {
@@ -37,7 +33,33 @@ export function sheet(side: number): Buffer {
       faces.push([corner, corner + 1, corner + side + 1], [corner, corner + side + 1, corner + side]);
     }
   }
-  return ply({ vertices, faces, variables: ['heat', 'wind'] });
+  return faces;
+}
+
+/** A wavy sheet of 2 × (side − 1)² triangles with two variables, `heat` and `wind`. */
+export function sheet(side: number): Buffer {
+  const vertices = Array.from({ length: side * side }, (_, index) => {
+    const [x, y] = [(index % side) / (side - 1), Math.floor(index / side) / (side - 1)];
+    return [x, y, 0.1 * Math.sin(7 * x) * Math.cos(5 * y), 300 + 40 * Math.sin(9 * x + 4 * y), Math.cos(11 * x * y)];
+  });
+  return ply({ vertices, faces: gridFaces(side), variables: ['heat', 'wind'] });
+}
+
+/**
+ * A flat sheet with a hill of height 0.1 on the left and a hollow as deep on the right; `heat` rises to 1 on the hill and
+ * falls to −1 in the hollow; the vector `wind` does so in one component. Everything is zero along the boundary.
+ */
+export function hillAndHollow(side: number): Buffer {
+  const bump = (x: number, y: number, middle: number) => {
+    const distance = Math.hypot(x - middle, y - 0.5) / 0.25;
+    return distance < 1 ? Math.cos((Math.PI / 2) * distance) ** 2 : 0;
+  };
+  const vertices = Array.from({ length: side * side }, (_, index) => {
+    const [x, y] = [(index % side) / (side - 1), Math.floor(index / side) / (side - 1)];
+    const heat = bump(x, y, 0.25) - bump(x, y, 0.75);
+    return [x, y, 0.1 * heat, heat, 0, heat, 0];
+  });
+  return ply({ vertices, faces: gridFaces(side), variables: ['heat', 'wind_x', 'wind_y', 'wind_z'] });
 }
 
 /** A square around a middle vertex, whose variable `pressure` has no number at vertex 1. */

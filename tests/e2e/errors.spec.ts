@@ -1,0 +1,195 @@
+import { expect, type Page, test } from '@playwright/test';
+import { chooseFile, counts, look, sentence, settled, sharePage, typePercent } from './open-page.ts';
+import { coverage, hasBrokenBound, pictureOf, placesIn, type ShownPlace, shareFromMap } from './picture.ts';
+import { hillAndHollow, sheet } from './surfaces.ts';
+
+const sides = ['original', 'reduced'] as const;
+const page = sharePage();
+
+async function drawn(shown: Page): Promise<void> {
+  for (const side of sides) await expect.poll(async () => coverage(await pictureOf(shown, side))).toBeGreaterThan(0.05);
+}
+
+function details(shown: Page) {
+  return shown.locator('meshbound-legend .detail');
+}
+
+/** How finely a place can be told by its colour. */
+const colourStep = 0.01;
+
+const mean = (shown: ShownPlace[]) => shown.reduce((sum, { place }) => sum + place, 0) / shown.length;
+const largest = (shown: ShownPlace[]) => Math.max(...shown.map(({ place }) => place));
+const smallest = (shown: ShownPlace[]) => Math.min(...shown.map(({ place }) => place));
+const leftOf = (shown: ShownPlace[]) => shown.filter(({ x }) => x < 0.5);
+const rightOf = (shown: ShownPlace[]) => shown.filter(({ x }) => x > 0.5);
+
+/** Waits until both sides show colours of `map`, and tells what they stand for. */
+async function shownIn(
+  shown: Page,
+  map: 'share' | 'diverging',
+): Promise<{ original: ShownPlace[]; reduced: ShownPlace[] }> {
+  const places = async (side: (typeof sides)[number]) => {
+    let picture = await pictureOf(shown, side);
+    const share = async () => {
+      picture = await pictureOf(shown, side);
+      return shareFromMap(picture, map);
+    };
+    // Where two flat triangles meet, smoothing mixes their colours.
+    if (shareFromMap(picture, map) <= 0.9) await expect.poll(share).toBeGreaterThan(0.9);
+    expect(hasBrokenBound(picture)).toBe(false);
+    return placesIn(picture, map);
+  };
+  return { original: await places('original'), reduced: await places('reduced') };
+}
+
+test('error / bound of every variable, on both sides, never above 1', async () => {
+  await look(page(), { show: 'error / bound' });
+  await drawn(page());
+  const names = await page().getByLabel('Colour').locator('option').allInnerTexts();
+  expect(names).toEqual(['position', 'density', 'pressure', 'vx', 'vy', 'vz', 'energy', 'temperature']);
+  for (const name of names) {
+    await page().getByLabel('Colour').selectOption({ label: name });
+    await expect(page().locator('meshbound-legend .title')).toHaveText(Array(2).fill(`error / bound: ${name}`));
+    await expect(details(page())).toHaveText(['true error at each vertex', 'largest error in each triangle']);
+    for (const side of sides) {
+      const ticks = page().locator(`#${side} meshbound-legend .ticks span`);
+      await expect(ticks).toHaveText(['0', '0.2', '0.4', '0.6', '0.8', '1']);
+    }
+    const { original, reduced } = await shownIn(page(), 'share');
+    // The largest error in a triangle is at least that of any vertex in it.
+    expect(mean(reduced)).toBeGreaterThan(mean(original) - colourStep);
+    if (name !== 'density') expect(largest(reduced)).toBeGreaterThan(0.7);
+  }
+});
+
+test('signed errors stand around zero, from −bound to +bound, with the same numbers on both sides', async () => {
+  await look(page(), { show: 'signed error', colour: 'vx' });
+  await expect(page().locator('meshbound-legend .title')).toHaveText(Array(2).fill('signed error: vx [km/s]'));
+  const [original, reduced] = await page().locator('meshbound-legend .ticks').allInnerTexts();
+  expect(original).toMatch(/−\d.*0.*\d/s);
+  expect(reduced).toBe(original);
+  const zeros = page().locator('meshbound-legend .ticks span', { hasText: /^0$/ });
+  for (const zero of await zeros.all()) await expect(zero).toHaveAttribute('style', 'left:50%');
+  const places = await shownIn(page(), 'diverging');
+  for (const side of sides) {
+    expect(largest(places[side])).toBeGreaterThan(0.7);
+    expect(smallest(places[side])).toBeLessThan(0.3);
+  }
+});
+
+test('errors have maps of their own', async () => {
+  await look(page(), { show: 'error / bound' });
+  await expect(page().getByLabel('Map')).toBeDisabled();
+  await look(page(), { show: 'values', map: 'cividis' });
+  await expect(page().getByLabel('Map')).toHaveValue('cividis');
+  for (const side of sides) {
+    await expect.poll(async () => shareFromMap(await pictureOf(page(), side), 'cividis')).toBeGreaterThan(0.99);
+  }
+});
+
+test('a variable without a bound has no error / bound, but a signed error', async () => {
+  await look(page(), { show: 'error / bound', colour: 'vz' });
+  await page().getByRole('checkbox', { name: 'vz bounded' }).uncheck();
+  await expect(sentence(page())).toContainText('nothing promised: vz');
+  await expect(page().locator('meshbound-legend .title')).toHaveText(
+    Array(2).fill('error / bound: vz (free: no bound)'),
+  );
+  await expect(page().locator('meshbound-legend .ends')).toHaveText([/no bound/, /no bound/]);
+  await expect(page().getByLabel('Colour').locator('option', { hasText: 'vz' })).toBeDisabled();
+  await page().getByLabel('Show').selectOption({ label: 'signed error' });
+  await expect(page().locator('meshbound-legend .ends').first()).toHaveText(/−largest\s*\+largest/);
+  await shownIn(page(), 'diverging');
+  await page().getByRole('checkbox', { name: 'vz bounded' }).check();
+  await expect(sentence(page())).not.toContainText('nothing promised');
+  await settled(page());
+});
+
+test('propagated errors: more triangles, errors as limits, and the original keeps its values', async () => {
+  const tracked = await counts(page());
+  await expect(sentence(page())).not.toContainText('at most');
+  await page()
+    .getByText(/^Method/)
+    .click();
+  await page().getByLabel('Errors').selectOption({ label: 'propagated (the paper)' });
+  await expect(sentence(page())).toContainText(/proved; most used: .*, at most .*% of its bound/);
+  const introduced = await counts(page());
+  expect(introduced.after).toBeGreaterThan(tracked.after);
+  await expect(page().locator('meshbound-bound-row .error').first()).toContainText('≤');
+
+  await look(page(), { show: 'error / bound' });
+  await expect(details(page())).toHaveText([
+    'values: errors at its vertices are known only when tracked',
+    'upper limit of the error in each triangle',
+  ]);
+  await expect.poll(async () => shareFromMap(await pictureOf(page(), 'original'), 'viridis')).toBeGreaterThan(0.99);
+  await expect.poll(async () => shareFromMap(await pictureOf(page(), 'reduced'), 'share')).toBeGreaterThan(0.9);
+
+  await page().getByLabel('Keeps small').selectOption({ label: 'maximum error' });
+  await expect.poll(async () => (await counts(page())).after).not.toBe(introduced.after);
+  await page().getByLabel('Errors').selectOption({ label: 'tracked' });
+  await expect.poll(() => counts(page())).toEqual(tracked);
+  await expect(page().getByLabel('Keeps small')).toHaveCount(0);
+  await page()
+    .getByText(/^Method/)
+    .click();
+});
+
+test('shows errors where they are, with their signs', async () => {
+  await chooseFile(page(), 'hill.ply', hillAndHollow(41));
+  await expect(page().getByTitle('heat', { exact: true })).toBeVisible();
+  // So loose that only the flat outline is left: every value above or below zero is an error.
+  await typePercent(page(), 'Largest bound', '60');
+  await expect.poll(async () => (await counts(page())).after).toBe(2);
+  await look(page(), { colour: 'heat', show: 'signed error' });
+  await drawn(page());
+  const { original, reduced } = await shownIn(page(), 'diverging');
+  // 1 of a bound of 1.2.
+  expect(largest(leftOf(original))).toBeGreaterThan(0.85);
+  expect(smallest(leftOf(original))).toBeGreaterThan(0.45);
+  expect(smallest(rightOf(original))).toBeLessThan(0.15);
+  expect(largest(rightOf(original))).toBeLessThan(0.55);
+  const full = reduced.filter(({ place }) => Math.abs(place - 0.5) > 0.35);
+  expect(full.length / reduced.length).toBeGreaterThan(0.95);
+
+  // The reduced surface lies inside under the hill and outside over the hollow.
+  await page().getByLabel('Colour').selectOption({ label: 'position' });
+  await expect(details(page()).first()).toContainText('+ where the reduced surface is outside');
+  const position = (await shownIn(page(), 'diverging')).original;
+  expect(smallest(leftOf(position))).toBeLessThan(0.45);
+  expect(largest(rightOf(position))).toBeGreaterThan(0.55);
+
+  await look(page(), { colour: 'heat', show: 'error / bound' });
+  const shares = (await shownIn(page(), 'share')).original;
+  for (const half of [leftOf(shares), rightOf(shares)]) {
+    expect(largest(half)).toBeGreaterThan(0.7);
+    expect(smallest(half)).toBeLessThan(0.1);
+  }
+});
+
+test('errors of a vector have no sign', async () => {
+  await chooseFile(page(), 'hill.ply', hillAndHollow(21));
+  await expect.poll(async () => (await counts(page())).before).toBe(800);
+  await settled(page());
+  await look(page(), { colour: 'heat', show: 'signed error' });
+  await page().getByLabel('Colour').selectOption({ label: 'wind' });
+  await expect(page().getByLabel('Show')).toHaveValue('share');
+  await expect(page().getByLabel('Show').locator('option', { hasText: 'signed' })).toBeDisabled();
+  await expect(page().locator('meshbound-legend .title')).toHaveText(Array(2).fill('error / bound: wind'));
+  await shownIn(page(), 'share');
+});
+
+test('a reduction can be cancelled, keeps the result before it, and can be started again', async () => {
+  await chooseFile(page(), 'sheet.ply', sheet(180));
+  await expect.poll(async () => (await counts(page())).before).toBe(2 * 179 * 179);
+  await settled(page());
+  const before = await sentence(page()).innerText();
+  const field = page().getByLabel('Largest bound in percent');
+  await field.fill('0.5');
+  await field.press('Enter');
+  await page().getByRole('button', { name: 'Cancel' }).click();
+  await expect(page().locator('.numbers')).toContainText('Cancelled');
+  expect(await sentence(page()).innerText()).toBe(before);
+  await page().getByRole('button', { name: 'Reduce', exact: true }).click();
+  await settled(page());
+  await expect(sentence(page())).toContainText(/0\.5.% in heat/);
+});
