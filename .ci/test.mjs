@@ -23,6 +23,8 @@ const steps = [
     command: ['ctest', '--preset', 'native', '--no-tests=error', '-j', '2', '--output-junit', ctestFile],
     count: countCtest,
   },
+  { name: 'fuzzer build', command: ['bash', '-c', 'cmake --preset fuzz && cmake --build --preset fuzz'] },
+  { name: 'core (fuzzer)', command: ['.ci/fuzz.sh', '60'] },
   {
     name: 'module (Vitest)',
     command: [`${bin}vitest`, 'run', '--reporter=default', '--reporter=json', `--outputFile.json=${vitestFile}`],

@@ -127,6 +127,7 @@ Options options_from(const val& options) {
     if (const val cost = options["cost"]; !cost.isUndefined()) {
         result.cost = cost_from(cost.as<std::string>());
     }
+    read_flag(options, "countFolds", result.count_folds);
     read_flag(options, "choosePlaces", result.choose_places);
     read_flag(options, "chooseCrossings", result.choose_crossings);
     if (const val locked = options["locked"]; !locked.isUndefined()) {

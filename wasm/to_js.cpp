@@ -141,6 +141,7 @@ val report_to(const Report& report, double seconds) {
                   field("variables", list_to(report.variables, variable_report_to)),
                   field("refused", refusals_to(report.refused)), field("oddities", oddities_to(report.oddities)),
                   field("nonManifoldVertices", number(report.non_manifold_vertices)),
+                  field("cells", number(report.cells)), field("foldedCells", number(report.folded_cells)),
                   field("stopped", stopped_name(report.stopped)), field("seconds", seconds));
 }
 

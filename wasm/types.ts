@@ -25,6 +25,8 @@ export interface ReduceOptions {
   /** Tracked errors: choose places of vertices and crossings in the map with smaller errors. Default: the core's. */
   choosePlaces?: boolean;
   chooseCrossings?: boolean;
+  /** Tracked errors: count the map's cells and folds, a few percent of the time. Default: the core's. */
+  countFolds?: boolean;
   /** What retriangulation makes small (§3.4.1). Default: the core's. */
   cost?: 'maximum' | 'introduced';
   /** Vertices that must stay. */
@@ -60,6 +62,9 @@ export interface Report {
   refused: { fixed: number; topology: number; fold: number };
   oddities: { repeatedVertexTriangles: number; zeroAreaTriangles: number; unusedVertices: number };
   nonManifoldVertices: number;
+  /** Tracked errors only: into how many cells the map cuts the original, and how many of them it turns over. */
+  cells: number;
+  foldedCells: number;
   stopped: 'finished' | 'cancelled';
   /** Wall time of the reduction in the core. */
   seconds: number;
