@@ -29,6 +29,8 @@ function report(variables: VariableReport[], refused: Partial<Report['refused']>
     refused: { fixed: 0, topology: 0, fold: 0, ...refused },
     oddities: { repeatedVertexTriangles: 0, zeroAreaTriangles: 0, unusedVertices: 0 },
     nonManifoldVertices: 0,
+    cells: 0,
+    foldedCells: 0,
     stopped: 'finished',
     seconds: 0.3,
   };

@@ -57,7 +57,7 @@ export class MethodChoice extends LitElement {
   declare method: Method;
 
   override render() {
-    return html`<details>
+    return html`<details @toggle=${() => this.scrollIntoView({ block: 'nearest' })}>
       <summary>Method <span class="small soft">${this.method.errors} errors</span></summary>
       ${choice(
         'Errors',
