@@ -23,8 +23,8 @@ struct Options {
     Cost cost = Cost::introduced;
 
     /// The sweeps over the surface: each removes what stays within this fraction of the bounds. Rising, in (0, 1], the last
-    /// one 1. Early, tighter sweeps take the harmless vertices first.
-    std::vector<double> sweeps = {0.25, 1.0};
+    /// one 1. Early, tighter sweeps take the harmless vertices first; one at 1/8 and one at 1 left the fewest triangles.
+    std::vector<double> sweeps = {0.125, 1.0};
 
     /// Tracked errors only: where the map is free, choose places of vertices and of crossings with smaller errors (the
     /// layout's places else). Fewer triangles; some folds in the map, none in the surface.
