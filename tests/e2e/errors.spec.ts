@@ -1,7 +1,7 @@
 import { expect, type Page, test } from '@playwright/test';
 import { chooseFile, counts, look, sentence, settled, sharePage, typePercent } from './open-page.ts';
 import { coverage, hasBrokenBound, pictureOf, placesIn, type ShownPlace, shareFromMap } from './picture.ts';
-import { hillAndHollow, sheet } from './surfaces.ts';
+import { hillAndHollow } from './surfaces.ts';
 
 const sides = ['original', 'reduced'] as const;
 const page = sharePage();
@@ -176,20 +176,4 @@ test('errors of a vector have no sign', async () => {
   await expect(page().getByLabel('Show').locator('option', { hasText: 'signed' })).toBeDisabled();
   await expect(page().locator('meshbound-legend .title')).toHaveText(Array(2).fill('error / bound: wind'));
   await shownIn(page(), 'share');
-});
-
-test('a reduction can be cancelled, keeps the result before it, and can be started again', async () => {
-  await chooseFile(page(), 'sheet.ply', sheet(180));
-  await expect.poll(async () => (await counts(page())).before).toBe(2 * 179 * 179);
-  await settled(page());
-  const before = await sentence(page()).innerText();
-  const field = page().getByLabel('Largest bound in percent');
-  await field.fill('0.5');
-  await field.press('Enter');
-  await page().getByRole('button', { name: 'Cancel' }).click();
-  await expect(page().locator('.numbers')).toContainText('Cancelled');
-  expect(await sentence(page()).innerText()).toBe(before);
-  await page().getByRole('button', { name: 'Reduce', exact: true }).click();
-  await settled(page());
-  await expect(sentence(page())).toContainText(/0\.5.% in heat/);
 });

@@ -28,6 +28,15 @@ function numberIn(text: string): number {
 test.describe('on one page', () => {
   const page = sharePage();
 
+  /** A surface whose reduction takes a while. */
+  async function openLarge(): Promise<void> {
+    const triangles = 2 * 219 * 219;
+    if ((await counts(page())).before === triangles) return;
+    await chooseFile(page(), 'sheet.ply', sheet(220));
+    await expect.poll(async () => (await counts(page())).before).toBe(triangles);
+    await settled(page());
+  }
+
   test('a looser bound leaves fewer triangles, a tighter one more, and the way there does not matter', async () => {
     const first = await counts(page());
     await page().getByRole('slider', { name: 'All bounds' }).fill('300');
@@ -86,9 +95,7 @@ test.describe('on one page', () => {
   });
 
   test('a newer change cancels the run before it, and the page answers meanwhile', async () => {
-    await chooseFile(page(), 'sheet.ply', sheet(220));
-    await expect.poll(async () => (await counts(page())).before).toBe(2 * 219 * 219);
-    await settled(page());
+    await openLarge();
     const seen = await page().evaluateHandle(() => {
       const app = document.querySelector('meshbound-app') as HTMLElement;
       const bar = app.shadowRoot?.querySelector('meshbound-result-bar') as HTMLElement;
@@ -113,6 +120,21 @@ test.describe('on one page', () => {
     const texts = (await seen.jsonValue()).map((text) => text.replace(/\u00a0/g, ' '));
     expect(texts.filter((text) => text.includes('0.02 % in heat'))).toEqual([]);
     expect(texts.at(-1)).toContain('5 % in heat');
+  });
+
+  test('can be cancelled, keeps the result before it, and can be started again', async () => {
+    await openLarge();
+    const before = await sentence(page()).innerText();
+    const field = page().getByLabel('Largest bound in percent');
+    await field.fill('2');
+    await field.press('Enter');
+    await page().getByRole('button', { name: 'Cancel' }).click();
+    await expect(page().locator('.numbers')).toContainText('Cancelled');
+    expect(await sentence(page()).innerText()).toBe(before);
+    await page().getByRole('button', { name: 'Reduce', exact: true }).click();
+    await settled(page());
+    await expect(sentence(page())).not.toHaveText(before);
+    await expect(sentence(page())).toContainText(/2.% in/);
   });
 
   test('opens another sample', async () => {

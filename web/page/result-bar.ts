@@ -50,11 +50,12 @@ export class ResultBar extends LitElement {
       }
       /* Most reductions end before anyone could want to cancel them: no button flashes up. */
       .cancel {
-        animation: appear 0s 0.4s both;
+        visibility: hidden;
+        animation: appear 0s 0.4s forwards;
       }
       @keyframes appear {
-        from {
-          visibility: hidden;
+        to {
+          visibility: visible;
         }
       }
       .progress {
