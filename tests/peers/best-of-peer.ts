@@ -21,7 +21,7 @@ export interface PeerResult extends Start {
 }
 
 /** How often a peer may run for one surface and pair of bounds at effort 1, by the time that it takes. */
-const allowed = { least: 20, most: 120, seconds: 12 };
+const allowed = { least: 40, most: 120, seconds: 12 };
 /** To be raised when peers are run in another way, so that results kept from before are not taken. */
 const version = 3;
 

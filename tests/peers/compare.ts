@@ -98,7 +98,8 @@ async function compare({ name, path }: SurfaceFile): Promise<Row[]> {
 function head(): string {
   const tools = peers.map(({ name, version }) => `${name} ${version}`).join(', ');
   const date = new Date().toISOString().slice(0, 10);
-  return `Measured on ${date} with ${tools}, Node ${process.versions.node}; ${cpus().length} × ${cpus()[0].model}.`;
+  const searched = `the peers searched with effort ${effort} or more`;
+  return `Measured on ${date} with ${tools}, Node ${process.versions.node}; ${cpus().length} × ${cpus()[0].model}; ${searched}.`;
 }
 
 /** Keeps what the file says above the marker. */
@@ -118,6 +119,7 @@ const { values: options } = parseArgs({
 });
 const bounds = parseBounds(options.bounds ?? (options.quick ? quickBounds : usualBounds));
 const effort = Number(options.effort ?? (options.quick ? quickEffort : 1));
+if (!(effort > 0)) throw new Error(`Effort is a positive number, not "${options.effort}".`);
 buildNative();
 const surfaces = chooseSurfaces(options.surfaces, options.quick);
 const peers = await findPeers();

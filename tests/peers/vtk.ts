@@ -26,7 +26,7 @@ function peer(python: string, version: string): Peer {
     version,
     options: [volumePreservation],
     starts: [[]],
-    pace: 40_000,
+    pace: 60_000,
     async open({ path, mesh, bounds }) {
       await server.ask(JSON.stringify({ open: path }));
       const size = extent(mesh.position);
