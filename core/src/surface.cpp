@@ -103,55 +103,72 @@ std::size_t Surface::count(VertexKind kind) const {
     return static_cast<std::size_t>(std::count(kind_.begin(), kind_.end(), kind));
 }
 
-void Surface::retriangulate(const Hole& hole, Retriangulation& retriangulation) {
-    struct Rim {
-        std::uint32_t twin, edge;
-    };
+void Surface::attach(std::uint32_t h, const Rim& rim) {
+    twin_[h] = rim.twin;
+    edge_[h] = rim.edge;
+    if (rim.twin != no_index) twin_[rim.twin] = h;
+}
+
+/// Takes the star out and leaves what lies behind its rims.
+std::vector<Surface::Rim> Surface::take_out(const Hole& hole) {
     std::vector<Rim> rims;
     for (const std::uint32_t h : hole.rims) rims.push_back({twin_[h], edge_[h]});
     for (const std::uint32_t slot : hole.slots) origin_[3 * std::size_t(slot)] = no_index;
+    kind_[hole.candidate] = VertexKind::absent;
+    outgoing_[hole.candidate] = no_index;
+    return rims;
+}
 
+/// Writes a new triangle, whose slot is chosen, and joins it to the rims around it.
+void Surface::put_in(const Hole& hole, const NewTriangle& triangle, const std::vector<Rim>& rims) {
+    const auto at = [](int i) { return static_cast<std::size_t>(i); };
+    const std::uint32_t h = 3 * triangle.slot; // h: a → m, h + 1: m → b, h + 2: b → a
+    origin_[h] = hole.ring[at(triangle.a)];
+    origin_[h + 1] = hole.ring[at(triangle.m)];
+    origin_[h + 2] = hole.ring[at(triangle.b)];
+    if (triangle.left < 0) attach(h, rims[at(triangle.a)]);
+    if (triangle.right < 0) attach(h + 1, rims[at(triangle.m)]);
+    if (triangle.parent < 0 && !hole.open) attach(h + 2, rims[at(triangle.b)]);
+}
+
+/// Gives a new triangle's edge (a, b), the diagonal to its parent or the closing edge, an edge of its own.
+void Surface::join(const NewTriangle& triangle, const NewTriangle* parent) {
+    const std::uint32_t h = 3 * triangle.slot + 2; // b → a
+    edge_[h] = triangle.edge;
+    twin_[h] = no_index;
+    if (!parent) return;
+    const std::uint32_t g = 3 * parent->slot + (parent->a == triangle.a ? 0 : 1);
+    twin_[h] = g;
+    twin_[g] = h;
+    edge_[g] = triangle.edge;
+}
+
+/// Brings what is kept of the vertices up to date with a new triangle, all of them being joined.
+void Surface::refresh_vertices(const NewTriangle& triangle) {
+    for (std::uint32_t h = 3 * triangle.slot; h < 3 * triangle.slot + 3; ++h) {
+        const std::uint32_t vertex = origin(h);
+        if (kind_[vertex] == VertexKind::interior || twin_[h] == no_index) outgoing_[vertex] = h;
+        if (kind_[vertex] == VertexKind::fixed && kind_[target(h)] == VertexKind::fixed)
+            fixed_edges_.insert(edge_key(vertex, target(h)));
+    }
+}
+
+void Surface::retriangulate(const Hole& hole, Retriangulation& retriangulation) {
+    const std::vector<Rim> rims = take_out(hole);
     std::vector<NewTriangle>& fresh = retriangulation.triangles;
     std::size_t spare_edge = 0;
-    const auto attach_rim = [&](std::uint32_t h, int rim) {
-        const Rim& old = rims[static_cast<std::size_t>(rim)];
-        twin_[h] = old.twin;
-        edge_[h] = old.edge;
-        if (old.twin != no_index) twin_[old.twin] = h;
-    };
     for (std::size_t n = 0; n < fresh.size(); ++n) {
         NewTriangle& triangle = fresh[n];
         triangle.slot = hole.slots[n];
-        const std::uint32_t h = 3 * triangle.slot; // h: a → m, h + 1: m → b, h + 2: b → a
-        origin_[h] = hole.ring[static_cast<std::size_t>(triangle.a)];
-        origin_[h + 1] = hole.ring[static_cast<std::size_t>(triangle.m)];
-        origin_[h + 2] = hole.ring[static_cast<std::size_t>(triangle.b)];
-        if (triangle.left < 0) attach_rim(h, triangle.a);
-        if (triangle.right < 0) attach_rim(h + 1, triangle.m);
+        put_in(hole, triangle, rims);
         if (triangle.parent < 0 && !hole.open) {
-            attach_rim(h + 2, triangle.b);
-            triangle.edge = edge_[h + 2];
+            triangle.edge = edge_[3 * triangle.slot + 2];
             continue;
         }
         triangle.edge = hole.spoke_edges[spare_edge++];
-        edge_[h + 2] = triangle.edge;
-        twin_[h + 2] = no_index;
-        if (triangle.parent < 0) continue;
-        const NewTriangle& parent = fresh[static_cast<std::size_t>(triangle.parent)];
-        const std::uint32_t g = 3 * parent.slot + (parent.a == triangle.a ? 0 : 1);
-        twin_[h + 2] = g;
-        twin_[g] = h + 2;
-        edge_[g] = triangle.edge;
+        join(triangle, triangle.parent < 0 ? nullptr : &fresh[static_cast<std::size_t>(triangle.parent)]);
     }
-    for (const NewTriangle& triangle : fresh)
-        for (std::uint32_t h = 3 * triangle.slot; h < 3 * triangle.slot + 3; ++h)
-            if (kind_[origin_[h]] == VertexKind::interior || twin_[h] == no_index) outgoing_[origin_[h]] = h;
-    for (const NewTriangle& triangle : fresh)
-        for (std::uint32_t h = 3 * triangle.slot; h < 3 * triangle.slot + 3; ++h)
-            if (kind_[origin_[h]] == VertexKind::fixed && kind_[target(h)] == VertexKind::fixed)
-                fixed_edges_.insert(edge_key(origin_[h], target(h)));
-    kind_[hole.candidate] = VertexKind::absent;
-    outgoing_[hole.candidate] = no_index;
+    for (const NewTriangle& triangle : fresh) refresh_vertices(triangle);
     triangle_count_ -= hole.slots.size() - fresh.size();
 }
 

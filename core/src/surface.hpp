@@ -10,6 +10,7 @@
 namespace meshbound {
 
 struct Hole;
+struct NewTriangle;
 struct Retriangulation;
 
 /// No half-edge, no triangle, no vertex, no edge.
@@ -69,6 +70,15 @@ public:
     void retriangulate(const Hole& hole, Retriangulation& retriangulation);
 
 private:
+    /// What lies behind a rim of a hole.
+    struct Rim {
+        std::uint32_t twin, edge;
+    };
+    void attach(std::uint32_t h, const Rim& rim);
+    std::vector<Rim> take_out(const Hole& hole);
+    void put_in(const Hole& hole, const NewTriangle& triangle, const std::vector<Rim>& rims);
+    void join(const NewTriangle& triangle, const NewTriangle* parent);
+    void refresh_vertices(const NewTriangle& triangle);
     void pair_half_edges();
     void pair(std::uint32_t h, std::uint32_t g);
     void classify();
