@@ -6,7 +6,8 @@ namespace meshbound {
 
 Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate)
     : surface_(surface), accounting_(accounting), removal_(surface, rows, accounting), candidate_(std::move(candidate)),
-      queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1), verdicts_(candidate_.size()) {}
+      queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1), touched_(candidate_.size(), 0),
+      verdicts_(candidate_.size()) {}
 
 bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker) {
     const double share = 1.0 / static_cast<double>(limits.size());
@@ -41,15 +42,31 @@ void Sweeper::attempt(std::uint32_t vertex, double squared_limit, Removal::Effor
     candidate_[vertex] = 0;
     for (const std::uint32_t neighbour : removal_.hole().ring) {
         fresh_[neighbour] = 1;
+        touched_[neighbour] = round_;
         queue(neighbour);
     }
 }
 
+/// Before the last sweep, a vertex whose star has changed waits for the next round: removing one after its neighbour, along
+/// a numbering that runs in rows, would drag a front of long triangles, and of all that is tracked in them, over the surface.
+bool Sweeper::waits(std::uint32_t vertex, Removal::Effort effort) const {
+    return effort == Removal::Effort::best && touched_[vertex] == round_;
+}
+
 bool Sweeper::sweep_once(double squared_limit, Removal::Effort effort, Ticker& ticker, double start, double share) {
     queue_candidates(squared_limit);
+    std::size_t round_end = 0;
     for (std::size_t next = 0; next < queue_.size(); ++next) {
+        if (next == round_end) {
+            ++round_;
+            round_end = queue_.size();
+        }
         const std::uint32_t vertex = queue_[next];
         queued_[vertex] = 0;
+        if (waits(vertex, effort)) {
+            queue(vertex);
+            continue;
+        }
         attempt(vertex, squared_limit, effort);
         const double done = static_cast<double>(next + 1) / static_cast<double>(queue_.size());
         if (!ticker.tick(accounting_.work(), start + share * done)) return false;

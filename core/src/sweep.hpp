@@ -24,6 +24,7 @@ public:
 
 private:
     bool sweep_once(double squared_limit, Removal::Effort effort, Ticker& ticker, double start, double share);
+    bool waits(std::uint32_t vertex, Removal::Effort effort) const;
     void queue_candidates(double squared_limit);
     void queue(std::uint32_t vertex);
     void attempt(std::uint32_t vertex, double squared_limit, Removal::Effort effort);
@@ -33,7 +34,9 @@ private:
     Removal removal_;
     std::vector<char> candidate_;
     std::vector<char> queued_;
-    std::vector<char> fresh_; // never looked at since its star changed
+    std::vector<char> fresh_;            // never looked at since its star changed
+    std::vector<std::uint32_t> touched_; // the round in which the star last changed; rounds count from 1
+    std::uint32_t round_ = 0;
     std::vector<Verdict> verdicts_;
     std::vector<std::uint32_t> queue_; // processed from the front; grows at the back
 };

@@ -105,10 +105,8 @@ TEST_P(Map, GivesTheErrorsOfTheVertices) {
             EXPECT_NEAR(errors.error[v], certificate.error_at_vertex(i, v), 1e-6 * scale);
             if (!is_signed) continue;
             const double largest_signed = std::abs(errors.signed_error[v]);
-            if (i == 0)
-                EXPECT_LE(largest_signed, errors.error[v] + 1e-6 * scale) << "a part of the displacement";
-            else
-                EXPECT_NEAR(largest_signed, errors.error[v], 1e-6 * scale);
+            if (i == 0) EXPECT_LE(largest_signed, errors.error[v] + 1e-6 * scale) << "a part of the displacement";
+            else EXPECT_NEAR(largest_signed, errors.error[v], 1e-6 * scale);
         }
     }
 }

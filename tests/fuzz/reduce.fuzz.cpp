@@ -106,14 +106,16 @@ Options make_options(Bytes& bytes, std::size_t vertices) {
     options.cost = bits & 2 ? Cost::maximum : Cost::introduced;
     options.choose_places = !(bits & 4);
     options.choose_crossings = !(bits & 8);
-    for (int i = bytes.byte() % 3; i > 0; --i) options.locked.push_back(bytes.byte() % static_cast<std::uint32_t>(vertices));
+    for (int i = bytes.byte() % 3; i > 0; --i)
+        options.locked.push_back(bytes.byte() % static_cast<std::uint32_t>(vertices));
     return options;
 }
 
 void check_subset(const Mesh& mesh, const Reduction& reduction) {
     for (std::size_t i = 1; i < reduction.vertices.size(); ++i)
         require(reduction.vertices[i - 1] < reduction.vertices[i], "vertices rise");
-    require(gather(mesh.position, reduction.vertices).values == reduction.mesh.position.values, "positions bit for bit");
+    require(gather(mesh.position, reduction.vertices).values == reduction.mesh.position.values,
+            "positions bit for bit");
     for (std::size_t i = 0; i < mesh.variables.size(); ++i)
         require(gather(mesh.variables[i], reduction.vertices).values == reduction.mesh.variables[i].values,
                 "values bit for bit");
@@ -124,10 +126,12 @@ void check_map(const Reduction& reduction) {
         if (place.triangle == nowhere) continue;
         require(place.triangle < reduction.mesh.triangles.size(), "places lie in triangles");
         const glm::dvec3& w = place.barycentric;
-        require(w.x >= -1e-15 && w.y >= 0 && w.z >= 0 && std::abs(w.x + w.y + w.z - 1) < 1e-12, "places are barycentric");
+        require(w.x >= -1e-15 && w.y >= 0 && w.z >= 0 && std::abs(w.x + w.y + w.z - 1) < 1e-12,
+                "places are barycentric");
     }
     for (const MapCrossing& crossing : reduction.map.crossings)
-        require(crossing.s >= 0 && crossing.s <= 1 && crossing.t >= 0 && crossing.t <= 1, "crossings lie on their edges");
+        require(crossing.s >= 0 && crossing.s <= 1 && crossing.t >= 0 && crossing.t <= 1,
+                "crossings lie on their edges");
 }
 
 } // namespace

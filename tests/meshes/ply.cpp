@@ -99,10 +99,8 @@ meshbound::Mesh read_ply(const std::string& path) {
     if (!file) fail(path, "cannot be opened");
     const Header header = read_header(file, path);
     meshbound::Mesh mesh;
-    if (header.type == "double")
-        read_vertices<double>(file, header, mesh);
-    else
-        read_vertices<float>(file, header, mesh);
+    if (header.type == "double") read_vertices<double>(file, header, mesh);
+    else read_vertices<float>(file, header, mesh);
     read_triangles(file, header, path, mesh);
     return mesh;
 }

@@ -17,6 +17,7 @@ import { bestOfPeer } from './best-of-peer.ts';
 import { meshoptimizer } from './meshoptimizer.ts';
 import { buildNative, hair, Judge, ratio } from './native.ts';
 import type { Peer } from './peer.ts';
+import { hasSmallParts, withoutSmallParts } from './small-parts.ts';
 import { findSurfaces, quickSurfaces, quickSurfacesWithoutData, readScalars, type SurfaceFile } from './surfaces.ts';
 import { bestPeer, type Row, share, tables } from './table.ts';
 import { vtk } from './vtk.ts';
@@ -78,14 +79,13 @@ async function compare({ name, path }: SurfaceFile): Promise<Row[]> {
       peers: {},
     };
     for (const peer of peers) {
-      row.peers[peer.name] = await bestOfPeer(
-        peer,
-        `${name}-${boundsName.replace('/', '-')}`,
-        task,
-        judge,
-        effort,
-        rows.at(-1)?.peers[peer.name],
-      );
+      const keptAs = `${name}-${boundsName.replace('/', '-')}`;
+      const tighter = rows.at(-1)?.peers[peer.name];
+      const results = [await bestOfPeer(peer, keptAs, task, judge, effort, tighter)];
+      if (hasSmallParts(mesh)) {
+        results.push(await bestOfPeer(withoutSmallParts(peer), `${keptAs}-large-parts`, task, judge, effort, tighter));
+      }
+      row.peers[peer.name] = results.reduce((best, result) => (result.triangles < best.triangles ? result : best));
     }
     console.error(
       `${name} at ${boundsName}: ${row.tracked.triangles} against ${bestPeer(row)}, ${share(row).toFixed(2)}`,
