@@ -40,6 +40,8 @@ describe('a typed percentage', () => {
     [' 0.5 ', 0.005],
     ['25 %', 0.25],
     ['1e-3', 0.00001],
+    ['1.0049', 0.01],
+    ['1.006', 0.0101],
   ])('%j is taken', (text, fraction) => {
     expect(parsePercent(text)).toEqual({ fraction: expect.closeTo(fraction, 12) });
   });
@@ -50,6 +52,7 @@ describe('a typed percentage', () => {
     ['0,5', '“0,5” is not a number'],
     ['-3', 'cannot be negative'],
     ['0', 'cannot be zero'],
+    ['5e-324', 'cannot be zero'],
     ['Infinity', 'must be finite'],
   ])('%j is refused with a reason', (text, reason) => {
     expect(parsePercent(text)).toEqual({ fault: expect.stringContaining(reason) });

@@ -82,12 +82,15 @@ export class PercentField extends LitElement {
   }
 
   #change({ target }: Event): void {
-    const parsed = parsePercent((target as HTMLInputElement).value);
+    const input = target as HTMLInputElement;
+    const parsed = parsePercent(input.value);
     if ('fault' in parsed) {
       this.fault = parsed.fault;
       return;
     }
     this.fault = '';
+    // Also where the bound is what it was, so that nothing draws the field again.
+    input.value = percentNumber(parsed.fraction);
     this.dispatchEvent(new CustomEvent('bound-input', { detail: parsed.fraction }));
   }
 

@@ -40,7 +40,7 @@ export function moveAll(settings: BoundSettings, fraction: number): BoundSetting
   return Object.fromEntries(moved);
 }
 
-/** Significant digits of a bound that a slider sets; 3.0000000000000004 % would only look precise. */
+/** Significant digits of a bound: as many as are shown, so that the bound that runs is the one that the user reads. */
 const boundDigits = 3;
 
 export function tidy(fraction: number): number {
@@ -56,14 +56,15 @@ export function asBounds(settings: BoundSettings): Record<string, Bound> {
   return Object.fromEntries(bounds);
 }
 
-/** A percentage that a user typed, as a fraction, or what is wrong with it. */
+/** A percentage that a user typed, as a tidy fraction, or what is wrong with it. */
 export function parsePercent(text: string): { fraction: number } | { fault: string } {
   const written = text.trim().replace(/\s*%$/, '');
-  const percent = written === '' ? Number.NaN : Number(written);
+  const percent = written === '' ? Number.NaN : tidy(Number(written));
   if (Number.isNaN(percent))
     return { fault: written === '' ? 'A bound needs a number.' : `“${written}” is not a number.` };
   if (!Number.isFinite(percent)) return { fault: 'A bound must be finite. To set no bound, clear “bounded”.' };
   if (percent < 0) return { fault: 'A bound cannot be negative.' };
-  if (percent === 0) return { fault: 'A bound cannot be zero: nothing could be removed.' };
-  return { fraction: percent / 100 };
+  const fraction = percent / 100;
+  if (fraction === 0) return { fault: 'A bound cannot be zero: nothing could be removed.' };
+  return { fraction };
 }
