@@ -1,5 +1,6 @@
 import { beforeAll, describe, expect, test } from 'vitest';
-import type { Mesh } from '../../wasm/types.ts';
+import type { Mesh, Report } from '../../wasm/types.ts';
+import { reportText } from '../../web/cli/report.ts';
 import { Folder } from './command.ts';
 import { engine } from './engine.ts';
 
@@ -216,4 +217,15 @@ test('a seam, where two sides of the surface carry different values at one place
   };
   expect(seamOf(0)).toEqual(seamOf(1));
   expect(seamOf(0)).toHaveLength(9);
+});
+
+test('what is written for people puts neither a bound nor an error below what it is, nor an error above its bound', () => {
+  const reached = { name: 'p', components: 1, extent: 81246.7, magnitude: 1e5, constant: false, refused: 0 };
+  const report = {
+    triangles: { before: 9, after: 3 },
+    variables: [{ ...reached, bound: 2437.401, error: 2437.4, ratio: 0.9999996 }],
+    seconds: 1,
+  } as unknown as Report;
+  const text = reportText(report, { bounds: { p: { relative: 0.03 } }, errors: 'tracked', cost: 'introduced' });
+  expect(text).toMatch(/p +2438 +3 % +2438 +1$/);
 });

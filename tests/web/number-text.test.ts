@@ -1,5 +1,14 @@
 import { expect, test } from 'vitest';
-import { countText, percentText, roundedUp, secondsText, valueText, withUnit } from '../../web/page/number-text.ts';
+import {
+  countText,
+  lowerPercentText,
+  percentText,
+  secondsText,
+  upperText,
+  valueText,
+  withUnit,
+} from '../../web/page/number-text.ts';
+import { roundedUp } from '../../web/session/rounding.ts';
 
 /** Narrow spaces that do not break, as plain ones. */
 const plain = (text: string) => text.replace(/[\u202f\u00a0]/g, ' ');
@@ -31,14 +40,27 @@ test.each([
   [0.03, 0.03],
   [0.0299999, 0.03],
   [123456, 124000],
-])('the error %d is rounded up to %d', (error, up) => expect(roundedUp(error)).toBe(up));
+  [1.2345e-300, 1.24e-300],
+])('the error %d is rounded up to %d', (error, up) => expect(roundedUp(error, 3)).toBe(up));
 
 test('an error is never written smaller than it is, nor more than one digit larger', () => {
   for (let error = 1e-9; error < 1e9; error *= 1.37) {
-    const up = roundedUp(error);
+    const up = roundedUp(error, 3);
     expect(up).toBeGreaterThanOrEqual(error * (1 - 1e-9));
     expect(up).toBeLessThanOrEqual(error * 1.0100001);
   }
+});
+
+test('an error within its bound is not written above it, nor smaller than it is', () => {
+  expect(plain(upperText(2437.1))).toBe('2440');
+  expect(plain(upperText(2437.4))).toBe('2440');
+  expect(upperText(0.029701)).toBe('0.0298');
+});
+
+test('a share reads 100 % only where it is all', () => {
+  expect(plain(lowerPercentText(0.99999))).toBe('99.9 %');
+  expect(plain(lowerPercentText(1))).toBe('100 %');
+  expect(plain(lowerPercentText(0.3))).toBe('30 %');
 });
 
 test('no unit is written where there is none', () => {

@@ -78,6 +78,15 @@ describe('the promise', () => {
     );
   });
 
+  test('gives a bound in its unit where there is nothing to take a percentage of', () => {
+    const nothing = { ...variable('density', 0, 0), extent: 0, magnitude: 0, bound: 0.03, error: 0 };
+    expect(sentence([{ ...nothing, constant: true }])).toContain('within 0.03 in density: proved; no error at all.');
+    expect(sentence([{ ...nothing, name: 'position' }])).toContain('within 0.03 in space');
+  });
+
+  test('says that all of a bound is used only where it is', () =>
+    expect(sentence([variable('a', 0.03, 0.99999)])).toContain('most used: a, 3 % (99.9 % of its bound)'));
+
   test('says so where nothing was changed', () => {
     expect(sentence([variable('position', 0.01, 0)])).toContain('proved; no error at all.');
   });

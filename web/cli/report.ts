@@ -34,8 +34,9 @@ export function reportText(
   const rows = variables.map(({ name, constant, bound, error, ratio }) => {
     const given = boundOf(bounds, name);
     if (given === 'free') return [name, 'free', '', roundedUpText(error), ''];
-    const share = 'relative' in given ? `${numberText(100 * given.relative)} %${constant ? ' of magnitude' : ''}` : '';
-    return [name, numberText(bound), share, roundedUpText(error), roundedUpText(ratio)];
+    const share =
+      'relative' in given ? `${roundedUpText(100 * given.relative)} %${constant ? ' of magnitude' : ''}` : '';
+    return [name, roundedUpText(bound), share, roundedUpText(error), roundedUpText(ratio)];
   });
   return [
     `${grouped(before)} -> ${grouped(after)} triangles (${removed} % removed) in ${seconds.toFixed(2)} s`,

@@ -1,3 +1,5 @@
+import { roundedUp } from '../session/rounding.ts';
+
 /** Rows of cells as lines of text: the first column to the left, all others to the right. */
 export function textTable(rows: string[][]): string {
   const widths = rows[0].map((_, column) => Math.max(...rows.map((row) => row[column].length)));
@@ -8,8 +10,6 @@ export function textTable(rows: string[][]): string {
 
 /** Significant digits of numbers in tables. */
 const digits = 4;
-/** 100 × 0.03 is 3.0000000000000004 in the machine's numbers; that is not above 3. */
-const roundingSlack = 1e-9;
 
 /** A number for a table: "0.8663", "1.234e-7". */
 export function numberText(value: number): string {
@@ -18,7 +18,5 @@ export function numberText(value: number): string {
 
 /** The same rounded up: what is guaranteed must not be written smaller than it is. */
 export function roundedUpText(value: number): string {
-  if (value === 0 || !Number.isFinite(value)) return String(value);
-  const step = 10 ** (Math.floor(Math.log10(value)) - digits + 1);
-  return numberText(Math.ceil(value / step - roundingSlack) * step);
+  return numberText(roundedUp(value, digits));
 }

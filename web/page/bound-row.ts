@@ -4,7 +4,7 @@ import type { VariableExtent, VariableReport } from '../../wasm/index.ts';
 import type { BoundSetting } from '../session/bound-setting.ts';
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
-import { percentText, valueText, withUnit } from './number-text.ts';
+import { percentText, upperText, withUnit } from './number-text.ts';
 import './percent-field.ts';
 import { wholeOf } from './promise-words.ts';
 
@@ -73,7 +73,7 @@ export class BoundRow extends LitElement {
   override render() {
     const { name } = this.variable;
     const { fraction, free } = this.setting;
-    const bound = valueText(fraction * wholeOf(this.variable));
+    const bound = upperText(fraction * wholeOf(this.variable));
     return html`
       <div class="line">
         <span class="name" title=${name}>${name}</span>
@@ -111,7 +111,7 @@ export class BoundRow extends LitElement {
   #reached() {
     if (!this.reached) return nothing;
     return html`<span class="error" title="No point of the surface has a larger error than this.">
-      error ${this.measured ? '' : '≤ '}${valueText(this.reached.error)}
+      error ${this.measured ? '' : '≤ '}${upperText(this.reached.error)}
     </span>`;
   }
 

@@ -1,3 +1,5 @@
+import { roundedDown, roundedUp } from '../session/rounding.ts';
+
 /** Groups digits as the field does: 99 980, with a space that does not break. */
 const groupSpace = '\u202f';
 const minus = '\u2212';
@@ -39,16 +41,22 @@ export function percentText(fraction: number): string {
   return `${percentNumber(fraction)}\u00a0%`;
 }
 
-/** Significant digits of an error. */
-const errorDigits = 3;
-/** 100 × 0.03 is 3.0000000000000004 in the machine's numbers; that is not above 3. */
-const roundingSlack = 1e-9;
+/** Significant digits of bounds and errors. */
+const promisedDigits = 3;
 
-/** An error rounded up to three digits: what is guaranteed must not be written smaller than it is. */
-export function roundedUp(error: number): number {
-  if (error === 0 || !Number.isFinite(error)) return error;
-  const step = 10 ** (Math.floor(Math.log10(error)) - errorDigits + 1);
-  return Number((Math.ceil(error / step - roundingSlack) * step).toPrecision(errorDigits));
+/** A bound or an error in its unit, rounded up: what is guaranteed must not be written smaller than it is. */
+export function upperText(value: number): string {
+  return valueText(roundedUp(value, promisedDigits));
+}
+
+/** The same as a percentage, of a fraction. */
+export function upperPercentText(fraction: number): string {
+  return percentText(roundedUp(fraction, promisedDigits));
+}
+
+/** A fraction as a percentage that reads 100 only where it is all: "99.9 %". */
+export function lowerPercentText(fraction: number): string {
+  return percentText(roundedDown(fraction, promisedDigits));
 }
 
 /** "0.31 s", "12 s" */

@@ -1,17 +1,20 @@
-import type { Reduction, Report, VariableReport } from '../../wasm/types.ts';
-import { countText, percentText, roundedUp } from './number-text.ts';
+import type { Reduction, Report, VariableExtent, VariableReport } from '../../wasm/index.ts';
+import { countText, lowerPercentText, upperPercentText, upperText } from './number-text.ts';
 
-/** What a relative bound of a variable is a fraction of, in its unit. */
-export function wholeOf({
-  constant,
-  extent,
-  magnitude,
-}: {
-  constant: boolean;
-  extent: number;
-  magnitude: number;
-}): number {
+/** What a relative bound of a variable is a fraction of, in its unit: 1 where the variable itself has no size. */
+export function wholeOf(variable: VariableExtent): number {
+  return sizeOf(variable) || 1;
+}
+
+/** Zero where all points coincide, or all values are zero. */
+function sizeOf({ constant, extent, magnitude }: VariableExtent): number {
   return constant ? magnitude : extent;
+}
+
+/** A bound or an error of a variable as a percentage; in its unit where there is nothing to take a percentage of. */
+function shareText(value: number, variable: VariableExtent): string {
+  const size = sizeOf(variable);
+  return size > 0 ? upperPercentText(value / size) : upperText(value);
 }
 
 export function isFree({ bound }: VariableReport): boolean {
@@ -42,7 +45,7 @@ export function promiseSentence({ triangles, variables }: Report, measured: bool
 function boundsPhrase(bounded: VariableReport[]): string {
   const together = new Map<string, string[]>();
   for (const variable of bounded) {
-    const bound = percentText(variable.bound / wholeOf(variable));
+    const bound = shareText(variable.bound, variable);
     together.set(bound, [...(together.get(bound) ?? []), placeName(variable)]);
   }
   return [...together].map(([bound, names]) => `${bound} in ${listed(names)}`).join(', ');
@@ -51,8 +54,8 @@ function boundsPhrase(bounded: VariableReport[]): string {
 function mostUsed(bounded: VariableReport[], measured: boolean): string {
   const most = bounded.reduce((best, next) => (next.ratio > best.ratio ? next : best));
   if (most.ratio === 0) return 'no error at all';
-  const error = percentText(roundedUp(most.error / wholeOf(most)));
-  return `most used: ${placeName(most)}, ${measured ? '' : 'at most '}${error} (${percentText(most.ratio)} of its bound)`;
+  const error = shareText(most.error, most);
+  return `most used: ${placeName(most)}, ${measured ? '' : 'at most '}${error} (${lowerPercentText(most.ratio)} of its bound)`;
 }
 
 /** Why vertices that are still there could not go, as shares of them all: "Held back by pressure 61 %, folds 22 %." */
@@ -66,11 +69,11 @@ export function heldBackSentence({ variables, refused }: Report): string {
   const counted = reasons.filter(([, count]) => count > 0).sort(([, a], [, b]) => b - a);
   const all = counted.reduce((sum, [, count]) => sum + count, 0);
   if (all === 0) return '';
-  const shares = counted.map(([reason, count]) => `${reason} ${shareText(count / all)}`);
+  const shares = counted.map(([reason, count]) => `${reason} ${roughShareText(count / all)}`);
   return `Held back by ${shares.join(', ')}.`;
 }
 
-function shareText(share: number): string {
+function roughShareText(share: number): string {
   return share < 0.01 ? '<\u00a01\u00a0%' : `${Math.round(100 * share)}\u00a0%`;
 }
 
