@@ -173,6 +173,17 @@ describe('changing a bound', () => {
     expect(texts(session)).toContain('The bound is too fine.');
   });
 
+  test('a fault of a reduction goes when the next one starts, and nothing else does', async () => {
+    const { session, runs } = await opened();
+    session.report(new Error('Not saved.'));
+    runs[0].fail(new Error('The bound is too fine.'));
+    await settled();
+    expect(texts(session)).toContain('The bound is too fine.');
+    session.setBound('pressure', { fraction: 0.05, free: false });
+    await settled();
+    expect(texts(session)).toEqual(['2 vertices belong to no triangle: left out of the result.', 'Not saved.']);
+  });
+
   test('a notice goes when it is dismissed', async () => {
     const { session } = await opened();
     session.dismiss(session.state.notices[0].id);

@@ -36,6 +36,8 @@ export interface Notice {
   text: string;
   /** It is not about the file, and stays when another one is opened. */
   lasting?: boolean;
+  /** It is about the last reduction, and goes when the next one starts. */
+  ofReduction?: boolean;
   /** A way out that the user may take. */
   remedy?: { label: string; take: () => void };
 }
@@ -188,6 +190,7 @@ export class Session extends EventTarget {
     clearTimeout(this.#timer);
     const { surface, bounds, method } = this.#state;
     if (!surface) return;
+    this.#update({ notices: this.#state.notices.filter(({ ofReduction }) => !ofReduction) });
     try {
       const result = await this.#reducing.run((signal) => {
         const onProgress = (progress: number) => {
@@ -199,7 +202,7 @@ export class Session extends EventTarget {
       if (result !== superseded) this.#update({ result, progress: null });
     } catch (error) {
       this.#update({ progress: null });
-      this.report(error);
+      this.#notify({ kind: 'error', text: messageOf(error), ofReduction: true });
     }
   }
 
