@@ -49,6 +49,11 @@ describe('the promise', () => {
     );
   });
 
+  test('counts a single triangle as one', () => {
+    const single = { ...report([variable('position', 0.01, 0)]), triangles: { before: 1, after: 1 } };
+    expect(plain(promiseSentence(single, true))).toContain('1 of 1 triangle. Every');
+  });
+
   test('puts variables with one bound together', () => {
     expect(sentence([variable('position', 0.03, 0.1), variable('a', 0.03, 0), variable('b', 0.03, 0)])).toContain(
       'within 3 % in space, a and b: proved',

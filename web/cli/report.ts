@@ -1,5 +1,5 @@
 import type { Report } from '../../wasm/index.ts';
-import { grouped, listed } from '../formats/wording.ts';
+import { counted, grouped, listed } from '../formats/wording.ts';
 import { type Bounds, boundOf } from './bound-arguments.ts';
 import { numberText, roundedUpText, textTable } from './text-table.ts';
 
@@ -39,7 +39,7 @@ export function reportText(
     return [name, roundedUpText(bound), share, roundedUpText(error), roundedUpText(ratio)];
   });
   return [
-    `${grouped(before)} -> ${grouped(after)} triangles (${removed} % removed) in ${seconds.toFixed(2)} s`,
+    `${grouped(before)} -> ${counted(after, 'triangle')} (${removed} % removed) in ${seconds.toFixed(2)} s`,
     textTable([['variable', 'bound', '', 'error', 'error/bound'], ...rows]),
   ].join('\n');
 }

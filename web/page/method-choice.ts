@@ -3,16 +3,11 @@ import { live } from 'lit/directives/live.js';
 import type { Method } from '../session/session.ts';
 import { controlsStyle } from './controls-style.ts';
 
-const errors: Record<Method['errors'], { label: string; means: string }> = {
-  tracked: {
-    label: 'tracked',
-    means: 'Every error is measured against the original: nothing is overestimated, and fewer triangles are left.',
-  },
-  propagated: {
-    label: 'propagated (the paper)',
-    means:
-      'Errors are added up removal by removal, as by Bajaj and Schikore (1996): limits from above, more triangles.',
-  },
+/** What each way to account for errors means. */
+const errors: Record<Method['errors'], string> = {
+  tracked: 'Every error is measured against the original: nothing is overestimated, and fewer triangles are left.',
+  propagated:
+    'Errors are added up removal by removal, as by Bajaj and Schikore (1996): limits from above, more triangles.',
 };
 
 const costs: Record<Method['cost'], string> = {
@@ -61,7 +56,7 @@ export class MethodChoice extends LitElement {
       <summary>Method <span class="small soft">${this.method.errors} errors</span></summary>
       ${choice(
         'Errors',
-        Object.entries(errors).map(([value, { label }]) => [value, label]),
+        Object.keys(errors).map((name) => [name, name]),
         this.method.errors,
         (chosen) => this.#change({ errors: chosen as Method['errors'] }),
       )}
@@ -72,7 +67,7 @@ export class MethodChoice extends LitElement {
             )
           : nothing
       }
-      <p class="small soft">${errors[this.method.errors].means}</p>
+      <p class="small soft">${errors[this.method.errors]}</p>
     </details>`;
   }
 

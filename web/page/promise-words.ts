@@ -1,5 +1,5 @@
 import type { Reduction, Report, VariableExtent, VariableReport } from '../../wasm/index.ts';
-import { countText, lowerPercentText, upperPercentText, upperText } from './number-text.ts';
+import { countText, lowerPercentText, trianglesText, upperPercentText, upperText } from './number-text.ts';
 
 /** What a relative bound of a variable is a fraction of, in its unit: 1 where the variable itself has no size. */
 export function wholeOf(variable: VariableExtent): number {
@@ -33,7 +33,7 @@ export function isMeasured({ vertexErrors }: Reduction): boolean {
  * @param measured whether the errors were measured; otherwise they are limits, and the sentence says so
  */
 export function promiseSentence({ triangles, variables }: Report, measured: boolean): string {
-  const counted = `${countText(triangles.after)} of ${countText(triangles.before)} triangles.`;
+  const counted = `${countText(triangles.after)} of ${countText(triangles.before)} ${trianglesText(triangles.before)}.`;
   const bounded = variables.filter((variable) => !isFree(variable));
   const free = variables.filter(isFree).map(placeName);
   const freed = free.length > 0 ? ` Free, so nothing promised: ${listed(free)}.` : '';

@@ -9,7 +9,7 @@ import { type Colouring, type Meaning, valueColouring } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
 import { originalErrors, reducedErrors, unknownErrors } from './error-colouring.ts';
 import './legend.ts';
-import { countText } from './number-text.ts';
+import { countText, trianglesText } from './number-text.ts';
 import { firstView, type ViewSettings } from './view-settings.ts';
 
 const sides = ['original', 'reduced'] as const;
@@ -138,12 +138,13 @@ export class Stage extends LitElement {
   #originalCaption() {
     if (!this.surface) return html`<span class="soft">Original</span>`;
     const count = this.surface.mesh.triangles.length / 3;
-    return html`Original <b>${countText(count)}</b> triangles`;
+    return html`Original <b>${countText(count)}</b> ${trianglesText(count)}`;
   }
 
   #reducedCaption() {
     if (!this.result) return html`<span class="soft">${this.reducing ? 'Reducing…' : 'Not reduced'}</span>`;
-    return html`Reduced <b>${countText(this.result.report.triangles.after)}</b> triangles`;
+    const count = this.result.report.triangles.after;
+    return html`Reduced <b>${countText(count)}</b> ${trianglesText(count)}`;
   }
 
   override firstUpdated(): void {

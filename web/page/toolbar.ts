@@ -14,6 +14,9 @@ const offeredEndings = [...Object.keys(formatNames), 'gltf', 'gz'].map((ending) 
 
 const quantities: Record<Quantity, string> = { values: 'values', share: 'error / bound', signed: 'signed error' };
 
+/** The maps that errors always have. */
+const errorMaps: Record<Exclude<Quantity, 'values'>, string> = { share: 'YlOrBr', signed: 'diverging' };
+
 /** A variable, or a component of one, to be looked at. */
 interface Choice {
   view: ViewSettings;
@@ -144,21 +147,29 @@ export class Toolbar extends LitElement {
   }
 
   #colourControls() {
-    const { map, quantity } = this.settings;
+    const { quantity } = this.settings;
     return html`
       <label><span class="soft">Colour</span>${this.#variableChoice()}</label>
       <label><span class="soft">Show</span>${this.#quantityChoice()}</label>
       <label title=${quantity === 'values' ? '' : 'Errors have colour maps of their own.'}>
         <span class="soft">Map</span>
-        <select
-          class="narrow"
-          ?disabled=${quantity !== 'values'}
-          @change=${(event: Event) => this.#change({ map: chosen(event) as ValueColormap })}
-        >
-          ${valueColormaps.map((name) => html`<option .selected=${live(name === map)}>${name}</option>`)}
-        </select>
+        ${quantity === 'values' ? this.#mapChoice() : this.#givenMap(errorMaps[quantity])}
       </label>
     `;
+  }
+
+  #mapChoice() {
+    const { map } = this.settings;
+    return html`<select
+      class="narrow"
+      @change=${(event: Event) => this.#change({ map: chosen(event) as ValueColormap })}
+    >
+      ${valueColormaps.map((name) => html`<option .selected=${live(name === map)}>${name}</option>`)}
+    </select>`;
+  }
+
+  #givenMap(name: string) {
+    return html`<select class="narrow" disabled><option>${name}</option></select>`;
   }
 
   #quantityChoice() {
