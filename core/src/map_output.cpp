@@ -43,14 +43,16 @@ std::vector<glm::uvec2> edge_ends(const Surface& surface) {
 } // namespace
 
 void extract_map(const Surface& surface, const Tracking& tracking, const std::vector<std::uint32_t>& renamed_vertex,
-                 const std::vector<std::uint32_t>& renamed_triangle, SurfaceMap& map) {
+                 const std::vector<std::uint32_t>& renamed_triangle, SurfaceMap& map, Ticker& ticker) {
     map.places.assign(surface.vertex_count(), {});
-    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot)
+    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
+        if (!ticker.tick(1)) return;
         if (surface.alive(slot)) place_residents(surface, tracking.residents(), slot, renamed_triangle, map);
+    }
     const std::vector<glm::uvec2> ends = edge_ends(surface);
     const OriginalEdges& edges = tracking.original_edges();
     const Crossings& crossings = tracking.crossings();
-    for (std::uint32_t edge = 0; edge < edges.size(); ++edge)
+    for (std::uint32_t edge = 0; edge < edges.size() && ticker.tick(1); ++edge)
         for (std::uint32_t id = crossings.first(edge); id != no_index; id = crossings[id].next) {
             const Crossing& crossing = crossings[id];
             const glm::uvec2 reduced = ends[crossing.current];
@@ -62,7 +64,8 @@ void extract_map(const Surface& surface, const Tracking& tracking, const std::ve
         }
 }
 
-void extract_vertex_errors(const Rows& rows, const Reduction& reduction, std::vector<VertexErrors>& errors) {
+void extract_vertex_errors(const Rows& rows, const Reduction& reduction, std::vector<VertexErrors>& errors,
+                           Ticker& ticker) {
     errors.assign(rows.groups().size(), {});
     std::vector<double> difference(static_cast<std::size_t>(rows.width()), 0.0);
     const std::size_t vertices = reduction.map.places.size();
@@ -70,7 +73,7 @@ void extract_vertex_errors(const Rows& rows, const Reduction& reduction, std::ve
         errors[group.variable].error.resize(vertices, 0);
         if (group.count == 1 || group.variable == 0) errors[group.variable].signed_error.resize(vertices, 0);
     }
-    for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
+    for (std::uint32_t vertex = 0; vertex < vertices && ticker.tick(1); ++vertex) {
         const MapPlace& place = reduction.map.places[vertex];
         if (place.triangle == nowhere) continue;
         const glm::uvec3& triangle = reduction.mesh.triangles[place.triangle];

@@ -6,16 +6,20 @@
 #include "meshbound/reduce.hpp"
 #include "rows.hpp"
 #include "surface.hpp"
+#include "ticker.hpp"
 #include "tracking.hpp"
 
 namespace meshbound {
 
+/// Each of these stops where the ticker cancels, and leaves what it wrote incomplete.
+
 /// Writes the tracked map out in terms of input and reduced mesh, with the errors at the input's vertices.
 /// `renamed_vertex[v]` and `renamed_triangle[slot]`: their indices in the reduced mesh.
 void extract_map(const Surface& surface, const Tracking& tracking, const std::vector<std::uint32_t>& renamed_vertex,
-                 const std::vector<std::uint32_t>& renamed_triangle, SurfaceMap& map);
+                 const std::vector<std::uint32_t>& renamed_triangle, SurfaceMap& map, Ticker& ticker);
 
 /// The errors of every vertex of the input at its place (reduction.map, reduction.mesh and reduction.vertices are filled).
-void extract_vertex_errors(const Rows& rows, const Reduction& reduction, std::vector<VertexErrors>& errors);
+void extract_vertex_errors(const Rows& rows, const Reduction& reduction, std::vector<VertexErrors>& errors,
+                           Ticker& ticker);
 
 } // namespace meshbound

@@ -74,10 +74,12 @@ float upper_float(double value) {
     return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
 }
 
-void extract_errors(const Surface& surface, const Rows& rows, const Accounting& accounting, Reduction& reduction) {
+void extract_errors(const Surface& surface, const Rows& rows, const Accounting& accounting, Reduction& reduction,
+                    Ticker& ticker) {
     reduction.triangle_errors.resize(rows.groups().size());
     std::vector<ErrorRange> ranges;
     for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
+        if (!ticker.tick(1)) return;
         if (!surface.alive(slot)) continue;
         accounting.errors(slot, ranges);
         for (const RowGroup& group : rows.groups()) {
@@ -135,48 +137,60 @@ void report_limits(Report& report) {
     }
 }
 
+/// Everything that a finished result tells; incomplete where the ticker cancels.
 void report_everything(const Mesh& mesh, const Surface& surface, const Rows& rows, const Accounting& accounting,
-                       const Renaming& renamed, const Options& options, Reduction& reduction) {
-    extract_errors(surface, rows, accounting, reduction);
+                       const Options& options, Reduction& reduction, Ticker& ticker) {
+    const Renaming renamed = extract_mesh(mesh, surface, reduction);
+    extract_errors(surface, rows, accounting, reduction, ticker);
     const auto* tracking = dynamic_cast<const Tracking*>(&accounting);
     if (!tracking) return;
-    extract_map(surface, *tracking, renamed.vertex, renamed.triangle, reduction.map);
-    extract_vertex_errors(rows, reduction, reduction.vertex_errors);
-    if (!options.count_folds) return;
+    extract_map(surface, *tracking, renamed.vertex, renamed.triangle, reduction.map, ticker);
+    extract_vertex_errors(rows, reduction, reduction.vertex_errors, ticker);
+    if (!options.count_folds || ticker.cancelled()) return;
     Segmentation segmentation;
-    segment(mesh, reduction, segmentation);
+    segment(mesh, reduction, segmentation, [&ticker](double) { return ticker.ask(); });
     reduction.report.cells = segmentation.cells.size();
     reduction.report.folded_cells = segmentation.folded_cells;
 }
 
+/// What a cancelled call leaves: the surface as far as it got, and the bounds that it keeps.
+void report_cancelled(const Mesh& mesh, const Surface& surface, Reduction& reduction) {
+    Report report = std::move(reduction.report);
+    reduction = {};
+    extract_mesh(mesh, surface, reduction);
+    report.stopped = Stopped::cancelled;
+    report_limits(report);
+    reduction.report = std::move(report);
+}
+
+/// Sweeping is this share of the progress; the rest is reporting.
+constexpr double sweeping_share = 0.9;
+
+void sweep_and_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Options& options,
+                      Surface& surface, Reduction& reduction, Ticker& ticker) {
+    const Rows rows(mesh, bounds);
+    if (!ticker.ask()) return;
+    const std::vector<char> candidate = find_candidates(surface, options.locked);
+    const std::unique_ptr<Accounting> accounting = make_accounting(options, rows, surface);
+    if (!ticker.ask()) return;
+    Sweeper sweeper(surface, rows, *accounting, candidate);
+    std::vector<double> limits = options.sweeps;
+    for (double& limit : limits) limit *= rows.limit();
+    if (!sweeper.sweep(limits, ticker, sweeping_share)) return;
+    count_refusals(surface, sweeper, candidate, reduction.report);
+    report_everything(mesh, surface, rows, *accounting, options, reduction, ticker);
+}
+
 Reduction run(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Options& options,
-              const Oddities& oddities, const Progress& progress) {
+              const Oddities& oddities, Ticker& ticker) {
     Reduction reduction;
     reduction.report = begin_report(mesh, bounds, oddities);
-    Report& report = reduction.report;
-    Ticker ticker(progress);
     Surface surface(mesh.triangles, vertex_count(mesh));
-    report.non_manifold_vertices = surface.count(VertexKind::fixed);
-    if (ticker.ask()) {
-        const Rows rows(mesh, bounds);
-        const std::vector<char> candidate = find_candidates(surface, options.locked);
-        const std::unique_ptr<Accounting> accounting = make_accounting(options, rows, surface);
-        Sweeper sweeper(surface, rows, *accounting, candidate);
-        std::vector<double> limits = options.sweeps;
-        for (double& limit : limits) limit *= rows.limit();
-        if (ticker.ask() && sweeper.sweep(limits, ticker)) {
-            const Renaming renamed = extract_mesh(mesh, surface, reduction);
-            report_everything(mesh, surface, rows, *accounting, renamed, options, reduction);
-            count_refusals(surface, sweeper, candidate, report);
-        }
-    }
-    if (ticker.cancelled()) {
-        report.stopped = Stopped::cancelled;
-        extract_mesh(mesh, surface, reduction);
-        report_limits(report);
-    }
-    report.triangles_after = reduction.mesh.triangles.size();
-    report.vertices_after = reduction.vertices.size();
+    reduction.report.non_manifold_vertices = surface.count(VertexKind::fixed);
+    if (ticker.ask()) sweep_and_report(mesh, bounds, options, surface, reduction, ticker);
+    if (ticker.cancelled()) report_cancelled(mesh, surface, reduction);
+    reduction.report.triangles_after = reduction.mesh.triangles.size();
+    reduction.report.vertices_after = reduction.vertices.size();
     ticker.finish();
     return reduction;
 }
@@ -186,12 +200,14 @@ Reduction run(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const 
 Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Reduction& reduction,
               const Progress& progress) {
     try {
+        Ticker ticker(progress);
         Oddities oddities;
         if (Status status = validate(mesh, &oddities); !status.ok()) return status;
         std::vector<ResolvedBound> resolved;
         if (Status status = resolve_bounds(mesh, bounds, resolved); !status.ok()) return status;
         if (Status status = check_options(mesh, options); !status.ok()) return status;
-        reduction = run(mesh, resolved, options, oddities, progress);
+        ticker.ask();
+        reduction = run(mesh, resolved, options, oddities, ticker);
         return {};
     } catch (const std::bad_alloc&) {
         return {Fault::out_of_memory,

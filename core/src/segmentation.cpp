@@ -8,6 +8,7 @@
 #include "segmentation_faces.hpp"
 #include "segmentation_outline.hpp"
 #include "segmentation_pieces.hpp"
+#include "ticker.hpp"
 
 namespace meshbound {
 namespace {
@@ -44,7 +45,7 @@ bool repeats_vertex(const glm::uvec3& triangle) {
     return triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x;
 }
 
-void cut_into_cells(const Mesh& original, const Reduction& reduction, Segmentation& segmentation) {
+bool cut_into_cells(const Mesh& original, const Reduction& reduction, Segmentation& segmentation, Ticker& ticker) {
     const Faces faces(reduction.mesh.triangles);
     const Outlines outlines(original, reduction, faces);
     CellCutter cutter(faces);
@@ -53,11 +54,13 @@ void cut_into_cells(const Mesh& original, const Reduction& reduction, Segmentati
         if (repeats_vertex(original.triangles[triangle])) continue;
         outlines.trace(triangle, outline);
         cutter.cut(triangle, outline, segmentation);
+        if (!ticker.tick(1, 0.5 * triangle / static_cast<double>(original.triangles.size()))) return false;
     }
+    return true;
 }
 
 /// Triangulates all cells and adds up what is folded.
-void cut_into_pieces(const Mesh& original, const Reduction& reduction, Segmentation& segmentation) {
+bool cut_into_pieces(const Mesh& original, const Reduction& reduction, Segmentation& segmentation, Ticker& ticker) {
     CellTriangulation triangulation;
     std::vector<CellPlace> places;
     double folded_original = 0, folded_reduced = 0;
@@ -78,9 +81,12 @@ void cut_into_pieces(const Mesh& original, const Reduction& reduction, Segmentat
             folded_reduced -= shares.reduced * area(reduction.mesh, reduction.mesh.triangles[cell.reduced]);
         });
         if (segmentation.folded_pieces > folded_before) ++segmentation.folded_cells;
+        const auto done = static_cast<double>(cell.first_corner) / static_cast<double>(segmentation.corners.size());
+        if (!ticker.tick(1, 0.5 + 0.5 * done)) return false;
     }
     if (folded_original > 0) segmentation.folded_original = folded_original / area(original);
     if (folded_reduced > 0) segmentation.folded_reduced = folded_reduced / area(reduction.mesh);
+    return true;
 }
 
 } // namespace
@@ -106,11 +112,14 @@ glm::dvec3 place_in_reduced(const Reduction& reduction, const SegmentationCell& 
     return place_at_vertex(triangle, static_cast<std::uint32_t>(kept - reduction.vertices.begin()));
 }
 
-void segment(const Mesh& original, const Reduction& reduction, Segmentation& segmentation) {
+void segment(const Mesh& original, const Reduction& reduction, Segmentation& segmentation, const Progress& progress) {
     segmentation = {};
     if (reduction.map.places.empty()) return;
-    cut_into_cells(original, reduction, segmentation);
-    cut_into_pieces(original, reduction, segmentation);
+    Ticker ticker(progress);
+    if (cut_into_cells(original, reduction, segmentation, ticker) &&
+        cut_into_pieces(original, reduction, segmentation, ticker))
+        return;
+    segmentation = {};
 }
 
 } // namespace meshbound

@@ -5,12 +5,12 @@
 namespace meshbound {
 
 Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate)
-    : surface_(surface), accounting_(accounting), removal_(surface, rows, accounting), candidate_(std::move(candidate)),
+    : accounting_(accounting), removal_(surface, rows, accounting), candidate_(std::move(candidate)),
       queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1), touched_(candidate_.size(), 0),
       verdicts_(candidate_.size()) {}
 
-bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker) {
-    const double share = 1.0 / static_cast<double>(limits.size());
+bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker, double end) {
+    const double share = end / static_cast<double>(limits.size());
     for (std::size_t i = 0; i < limits.size(); ++i) {
         const bool last = i + 1 == limits.size(); // before, a refused candidate gets another chance anyway
         const Removal::Effort effort = last ? Removal::Effort::thorough : Removal::Effort::best;

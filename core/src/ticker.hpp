@@ -16,6 +16,11 @@ public:
     /// `work` units were done, `progress` of the whole is reached. False when the caller wants to cancel.
     bool tick(std::size_t work, double progress) {
         reached_ = std::max(reached_, std::min(progress, 1.0));
+        return tick(work);
+    }
+
+    /// The same, no farther than before.
+    bool tick(std::size_t work) {
         pending_ += work;
         return pending_ < work_between_calls ? !cancelled_ : ask();
     }

@@ -52,8 +52,10 @@ struct Segmentation {
 inline constexpr double flat_share = 1e-12;
 
 /// Segments both surfaces by the map of `reduction`, the outcome of reducing `original` with tracked errors. Of any
-/// other reduction, which has no map, the segmentation is empty. Throws std::bad_alloc where memory runs out.
-void segment(const Mesh& original, const Reduction& reduction, Segmentation& segmentation);
+/// other reduction, which has no map, the segmentation is empty, and so it is when `progress` cancels. Throws
+/// std::bad_alloc where memory runs out.
+void segment(const Mesh& original, const Reduction& reduction, Segmentation& segmentation,
+             const Progress& progress = {});
 
 /// Barycentric coordinates of a corner of the cell in the cell's original triangle.
 glm::dvec3 place_in_original(const Mesh& original, const Reduction& reduction, const SegmentationCell& cell,
