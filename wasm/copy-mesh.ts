@@ -17,17 +17,15 @@ function checkTriangles(triangles: unknown): void {
   }
 }
 
-function copyVariable({ name, components, values }: Variable): Variable {
-  checkValues(values, `values of "${name}"`);
-  return { name, components, values: values.slice() };
-}
-
-/**
- * A copy whose buffers are its own, so that they can be transferred while the caller's stay as they are. Throws a TypeError
- * for arrays of another type; everything else is the core's to judge.
- */
-export function copyMesh({ position, triangles, variables }: Mesh): Mesh {
+/** Throws a TypeError for arrays of another type than `Mesh` says; everything else is the core's to judge. */
+export function checkMesh({ position, triangles, variables }: Mesh): void {
   checkValues(position, 'position');
   checkTriangles(triangles);
+  for (const { name, values } of variables) checkValues(values, `values of "${name}"`);
+}
+
+/** A copy whose buffers are its own, so that they can be transferred while the caller's stay as they are. */
+export function copyMesh({ position, triangles, variables }: Mesh): Mesh {
+  const copyVariable = ({ name, components, values }: Variable) => ({ name, components, values: values.slice() });
   return { position: position.slice(), triangles: triangles.slice(), variables: variables.map(copyVariable) };
 }

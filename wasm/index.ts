@@ -1,4 +1,4 @@
-import { copyMesh } from './copy-mesh.ts';
+import { checkMesh, copyMesh } from './copy-mesh.ts';
 import type { Inspection } from './inspection.ts';
 import { TaskQueue } from './task-queue.ts';
 import type { Mesh, ReduceOptions, Reduction } from './types.ts';
@@ -15,13 +15,19 @@ const queue = new TaskQueue();
  * > There is a continuous map from the original surface onto the reduced one that moves no point by more than the bound of
  * > `position` and changes no variable by more than its bound.
  *
- * Runs in a worker; calls queue. The arrays of `mesh` are copied at the call and stay the caller's. Rejects with a
+ * Runs in a worker; calls queue. The arrays of `mesh` are copied at the call and stay the caller's, unless
+ * `options.transfer` hands them over. Rejects with a
  * MeshboundError that names the fault and its place, with a TypeError for arrays of another type than `Mesh` says, and with
  * an AbortError once `options.signal` is aborted.
  */
 export async function reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduction> {
-  const { signal, onProgress, locked, ...rest } = options;
-  const task = { kind: 'reduce', mesh: copyMesh(mesh), options: { ...rest, locked: locked?.slice() } } as const;
+  const { signal, onProgress, locked, transfer, ...rest } = options;
+  checkMesh(mesh);
+  const task = {
+    kind: 'reduce',
+    mesh: transfer ? mesh : copyMesh(mesh),
+    options: { ...rest, locked: locked?.slice() },
+  } as const;
   return (await queue.run(task, { signal, onProgress })) as Reduction;
 }
 
@@ -29,5 +35,6 @@ export async function reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduct
  * Checks a mesh and tells what its variables span, without reducing it. Rejects as `reduce` does.
  */
 export async function inspect(mesh: Mesh, { signal }: { signal?: AbortSignal } = {}): Promise<Inspection> {
+  checkMesh(mesh);
   return (await queue.run({ kind: 'inspect', mesh: copyMesh(mesh) }, { signal })) as Inspection;
 }

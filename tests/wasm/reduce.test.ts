@@ -36,6 +36,16 @@ describe('reduce', () => {
     }
   });
 
+  test('takes the arrays over where it may, with the same result', async () => {
+    const given = bumpyPlate(20);
+    const copied = await reduce(given, { bounds });
+    expect(given.position.length).toBe(3 * 21 * 21);
+    const taken = await reduce(given, { bounds, transfer: true });
+    expect(given.position.length).toBe(0);
+    expect(given.triangles.length).toBe(0);
+    expect(taken.mesh).toEqual(copied.mesh);
+  });
+
   test('gives the error of every variable on every reduced triangle', async () => {
     const { mesh, triangleErrors, report } = await reduce(bumpyPlate(20), { bounds });
     const count = mesh.triangles.length / 3;
