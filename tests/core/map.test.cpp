@@ -52,17 +52,10 @@ TEST_P(Map, ProvesThePromiseOverEveryKindOfSurface) {
 }
 
 TEST_P(Map, ProvesThePromiseOverOddSurfaces) {
-    std::vector<Mesh> odd = {meshes::three_sheets(8),
-                             meshes::cubes_on_one_edge(4),
-                             meshes::bow_tie(8),
-                             meshes::one_triangle_reversed(8),
-                             meshes::with_degenerate_triangles(meshes::sphere(8)),
-                             meshes::with_degenerate_triangles(meshes::plane(12, 12)),
-                             meshes::cut(meshes::sphere(8), [](glm::dvec3 p) { return p.z < 0.3; })};
-    for (std::size_t i = 0; i < odd.size(); ++i) {
-        SCOPED_TRACE(i);
-        meshes::add_usual_fields(odd[i]);
-        expect_proof(odd[i], reduce(odd[i], promise::percent(3, 10)));
+    std::size_t number = 0;
+    for (const Mesh& odd : meshes::odd_surfaces()) {
+        SCOPED_TRACE(number++);
+        expect_proof(odd, reduce(odd, promise::percent(3, 10)));
     }
 }
 

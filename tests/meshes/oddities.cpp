@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "meshes/fields.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "meshes/voxel_surface.hpp"
@@ -77,6 +78,18 @@ Mesh with_degenerate_triangles(const Mesh& mesh) {
     for (std::size_t t = 0; t < triangles; t += 5)
         result = with_vertex_in_triangle(result, t, places[t / 5 % places.size()]);
     return result;
+}
+
+std::vector<Mesh> odd_surfaces() {
+    std::vector<Mesh> odd = {three_sheets(8),
+                             cubes_on_one_edge(4),
+                             bow_tie(8),
+                             one_triangle_reversed(8),
+                             with_degenerate_triangles(sphere(8)),
+                             with_degenerate_triangles(plane(12, 12)),
+                             cut(sphere(8), [](glm::dvec3 p) { return p.z < 0.3; })};
+    for (Mesh& mesh : odd) add_usual_fields(mesh);
+    return odd;
 }
 
 } // namespace meshes

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "meshbound/mesh.hpp"
 
@@ -24,5 +25,8 @@ Mesh one_triangle_reversed(int cells);
 Mesh with_vertex_in_triangle(const Mesh& mesh, std::size_t triangle, std::array<double, 3> barycentric);
 /// Puts such vertices into many triangles: on edges, at corners, and so close to them that needles arise.
 Mesh with_degenerate_triangles(const Mesh& mesh);
+
+/// One of each kind, small, with the usual fields; among them an open sphere whose boundary is ragged.
+std::vector<Mesh> odd_surfaces();
 
 } // namespace meshes
