@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import type { Mesh, Reduction, TriangleErrors, VariableReport, VertexErrors } from '../../wasm/types.ts';
-import { originalErrors, reducedErrors } from '../../web/page/error-colouring.ts';
-import { firstView, type Quantity, type ViewSettings } from '../../web/page/view-settings.ts';
+import { originalErrors, reducedErrors } from '../../web/element/error-colouring.ts';
+import { firstView, type Quantity, type ViewSettings } from '../../web/element/view-settings.ts';
 
 const labels = { units: { t: 'K' }, componentNames: {} };
 const mesh: Mesh = { position: new Float32Array(9), triangles: Uint32Array.of(0, 1, 2), variables: [] };
@@ -40,7 +40,7 @@ function reduction(
 const propagated = (reached: Reached) => reduction(reached, false);
 
 describe('error / bound', () => {
-  const settings = view('t', 'share');
+  const settings = view('t', 'error');
 
   test('of the original is that of every vertex', () => {
     const colouring = originalErrors(mesh, reduction({}), labels, settings);
@@ -75,7 +75,7 @@ describe('error / bound', () => {
 });
 
 describe('signed errors', () => {
-  const settings = view('t', 'signed');
+  const settings = view('t', 'signed-error');
 
   test('range from −bound to +bound on both sides, in the unit of the variable', () => {
     const original = originalErrors(mesh, reduction({}), labels, settings);
@@ -105,12 +105,16 @@ describe('signed errors', () => {
   });
 
   test('of position say which side is positive', () => {
-    const { meaning } = reducedErrors(reduction({}), labels, view('position', 'signed'));
+    const { meaning } = reducedErrors(reduction({}), labels, view('position', 'signed-error'));
     expect(meaning.detail).toContain('+ where the reduced surface is outside');
   });
 
   test('of position, propagated, are no broken promise where their sum exceeds the bound', () => {
-    const { places, meaning } = reducedErrors(propagated({ interval: [-7, 1] }), labels, view('position', 'signed'));
+    const { places, meaning } = reducedErrors(
+      propagated({ interval: [-7, 1] }),
+      labels,
+      view('position', 'signed-error'),
+    );
     expect([...places]).toEqual([0, 0, 0]);
     expect(meaning).toMatchObject({ range: { lowest: -7, highest: 7 }, bounded: false });
   });

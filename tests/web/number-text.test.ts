@@ -7,7 +7,7 @@ import {
   upperText,
   valueText,
   withUnit,
-} from '../../web/page/number-text.ts';
+} from '../../web/element/number-text.ts';
 import { roundedUp } from '../../web/session/rounding.ts';
 
 /** Narrow spaces that do not break, as plain ones. */

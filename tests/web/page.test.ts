@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
+import { reducedFileName } from '../../web/element/file-name.ts';
+import { firstView, settingsFor, showing, type ViewSettings } from '../../web/element/view-settings.ts';
 import { fractionAt, placeOf } from '../../web/page/bound-place.ts';
-import { reducedFileName } from '../../web/page/file-name.ts';
-import { firstView, settingsFor, showing, type ViewSettings } from '../../web/page/view-settings.ts';
 import type { OpenSurface } from '../../web/session/session.ts';
 
 describe('the slider', () => {
@@ -48,7 +48,7 @@ describe('the view of a newly opened surface', () => {
   });
 
   test('keeps the variable where the surface has it', () => {
-    const settings: ViewSettings = { ...firstView, variable: 'b', component: 0, quantity: 'signed', edges: true };
+    const settings: ViewSettings = { ...firstView, variable: 'b', component: 0, quantity: 'signed-error', edges: true };
     const opened = surface(position, { ...extent, name: 'a' }, { ...extent, name: 'b' });
     expect(settingsFor(opened, settings)).toEqual(settings);
   });
@@ -63,12 +63,12 @@ describe('the view of a newly opened surface', () => {
 });
 
 describe('signed errors', () => {
-  const settings: ViewSettings = { ...firstView, quantity: 'signed' };
+  const settings: ViewSettings = { ...firstView, quantity: 'signed-error' };
 
   test.each([
-    ['pressure', 1, 'signed'],
-    ['position', 3, 'signed'],
-    ['velocity', 3, 'share'],
+    ['pressure', 1, 'signed-error'],
+    ['position', 3, 'signed-error'],
+    ['velocity', 3, 'error'],
   ])('of %s with %d components are shown as %s', (name, components, quantity) => {
     expect(showing({ name, components }, settings).quantity).toBe(quantity);
   });

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { Report, VariableReport } from '../../wasm/types.ts';
-import { heldBackSentence, promiseSentence } from '../../web/page/promise-words.ts';
+import { heldBackSentence, promiseSentence } from '../../web/element/promise-words.ts';
 
 function variable(name: string, fraction: number, ratio: number, refused = 0): VariableReport {
   const bound = 200 * fraction;

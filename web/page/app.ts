@@ -3,18 +3,18 @@ import type { Sample } from '../session/services.ts';
 import type { Method, OpenSurface, Session } from '../session/session.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';
-import { controlsStyle } from './controls-style.ts';
+import { controlsStyle } from '../element/controls-style.ts';
+import { reducedFileName } from '../element/file-name.ts';
 import { FileDrop } from './file-drop.ts';
-import { reducedFileName } from './file-name.ts';
-import './notices.ts';
-import { isMeasured } from './promise-words.ts';
+import '../element/notices.ts';
+import { isMeasured } from '../element/promise-words.ts';
 import type { SavedFormat } from './result-bar.ts';
 import './result-bar.ts';
-import { save } from './save.ts';
-import type { Stage } from './stage.ts';
-import './stage.ts';
+import { save } from '../element/save.ts';
+import type { Stage } from '../element/stage.ts';
+import '../element/stage.ts';
 import './toolbar.ts';
-import { firstView, settingsFor, type ViewSettings } from './view-settings.ts';
+import { firstView, settingsFor, type ViewSettings } from '../element/view-settings.ts';
 
 /** The whole page around one session. */
 export class App extends LitElement {

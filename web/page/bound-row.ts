@@ -3,10 +3,10 @@ import { live } from 'lit/directives/live.js';
 import type { VariableExtent, VariableReport } from '../../wasm/index.ts';
 import type { BoundSetting } from '../session/bound-setting.ts';
 import './bound-slider.ts';
-import { controlsStyle } from './controls-style.ts';
-import { percentText, upperText, withUnit } from './number-text.ts';
+import { controlsStyle } from '../element/controls-style.ts';
+import { percentText, upperText, withUnit } from '../element/number-text.ts';
 import './percent-field.ts';
-import { wholeOf } from './promise-words.ts';
+import { wholeOf } from '../element/promise-words.ts';
 
 /**
  * The bound of one variable and what the result makes of it.

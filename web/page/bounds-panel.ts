@@ -4,10 +4,10 @@ import type { Report, VariableExtent } from '../../wasm/index.ts';
 import { type BoundSetting, type BoundSettings, largestFraction } from '../session/bound-setting.ts';
 import type { Method, OpenSurface } from '../session/session.ts';
 import './bound-row.ts';
-import { controlsStyle } from './controls-style.ts';
+import { controlsStyle } from '../element/controls-style.ts';
 import './method-choice.ts';
-import { percentText } from './number-text.ts';
-import { heldBackSentence } from './promise-words.ts';
+import { percentText } from '../element/number-text.ts';
+import { heldBackSentence } from '../element/promise-words.ts';
 
 /** What the panel asks for: the bound of one variable, or the largest of all with the others in proportion. */
 export type BoundChange = { variable: string; setting: BoundSetting } | { all: number };

@@ -1,7 +1,7 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
+import { controlsStyle } from '../element/controls-style.ts';
 import type { Method } from '../session/session.ts';
-import { controlsStyle } from './controls-style.ts';
 
 /** What each way to account for errors means. */
 const errors: Record<Method['errors'], string> = {

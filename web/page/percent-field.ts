@@ -1,7 +1,7 @@
 import { css, html, LitElement, nothing } from 'lit';
+import { controlsStyle } from '../element/controls-style.ts';
+import { percentNumber } from '../element/number-text.ts';
 import { parsePercent } from '../session/bound-setting.ts';
-import { controlsStyle } from './controls-style.ts';
-import { percentNumber } from './number-text.ts';
 
 /**
  * A percentage to type. What cannot be a bound is refused with a reason, and the bound stays as it was.

@@ -1,8 +1,8 @@
 import { css, html, LitElement, nothing } from 'lit';
 import type { Report } from '../../wasm/types.ts';
-import { controlsStyle } from './controls-style.ts';
-import { percentText, secondsText } from './number-text.ts';
-import { promiseSentence } from './promise-words.ts';
+import { controlsStyle } from '../element/controls-style.ts';
+import { percentText, secondsText } from '../element/number-text.ts';
+import { promiseSentence } from '../element/promise-words.ts';
 
 /** The formats that a reduced surface is saved in. */
 export const savedFormats = ['ply', 'vtp'] as const;

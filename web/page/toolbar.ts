@@ -2,20 +2,24 @@ import { css, html, LitElement } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { type ValueColormap, valueColormaps } from '../colour/colormaps.ts';
 import { componentsOf } from '../colour/field.ts';
+import { controlsStyle } from '../element/controls-style.ts';
+import { firstView, hasSign, type Quantity, showing, type ViewSettings } from '../element/view-settings.ts';
 import { formatNames } from '../formats/format-names.ts';
 import type { BoundSettings } from '../session/bound-setting.ts';
 import type { Sample } from '../session/services.ts';
 import type { OpenSurface } from '../session/session.ts';
-import { controlsStyle } from './controls-style.ts';
-import { firstView, hasSign, type Quantity, showing, type ViewSettings } from './view-settings.ts';
 
 /** What the file dialogue offers: a glTF may also be text, and all may be packed. The content of a file decides what it is. */
 const offeredEndings = [...Object.keys(formatNames), 'gltf', 'gz'].map((ending) => `.${ending}`).join();
 
-const quantities: Record<Quantity, string> = { values: 'values', share: 'error / bound', signed: 'signed error' };
+const quantities: Record<Quantity, string> = {
+  value: 'values',
+  error: 'error / bound',
+  'signed-error': 'signed error',
+};
 
 /** The maps that errors always have. */
-const errorMaps: Record<Exclude<Quantity, 'values'>, string> = { share: 'YlOrBr', signed: 'diverging' };
+const errorMaps: Record<Exclude<Quantity, 'value'>, string> = { error: 'YlOrBr', 'signed-error': 'diverging' };
 
 /** A variable, or a component of one, to be looked at. */
 interface Choice {
@@ -151,20 +155,20 @@ export class Toolbar extends LitElement {
     return html`
       <label><span class="soft">Colour</span>${this.#variableChoice()}</label>
       <label><span class="soft">Show</span>${this.#quantityChoice()}</label>
-      <label title=${quantity === 'values' ? '' : 'Errors have colour maps of their own.'}>
+      <label title=${quantity === 'value' ? '' : 'Errors have colour maps of their own.'}>
         <span class="soft">Map</span>
-        ${quantity === 'values' ? this.#mapChoice() : this.#givenMap(errorMaps[quantity])}
+        ${quantity === 'value' ? this.#mapChoice() : this.#givenMap(errorMaps[quantity])}
       </label>
     `;
   }
 
   #mapChoice() {
-    const { map } = this.settings;
+    const { colormap } = this.settings;
     return html`<select
       class="narrow"
-      @change=${(event: Event) => this.#change({ map: chosen(event) as ValueColormap })}
+      @change=${(event: Event) => this.#change({ colormap: chosen(event) as ValueColormap })}
     >
-      ${valueColormaps.map((name) => html`<option .selected=${live(name === map)}>${name}</option>`)}
+      ${valueColormaps.map((name) => html`<option .selected=${live(name === colormap)}>${name}</option>`)}
     </select>`;
   }
 
@@ -183,7 +187,7 @@ export class Toolbar extends LitElement {
           html`<option
             value=${name}
             .selected=${live(name === this.settings.quantity)}
-            ?disabled=${name === 'signed' && variable && !hasSign(variable)}
+            ?disabled=${name === 'signed-error' && variable && !hasSign(variable)}
           >
             ${text}
           </option>`,
@@ -193,7 +197,7 @@ export class Toolbar extends LitElement {
 
   /** Values are chosen by component; an error is that of a whole variable. */
   #variableChoice() {
-    const choices = this.settings.quantity === 'values' ? this.#valueChoices() : this.#errorChoices();
+    const choices = this.settings.quantity === 'value' ? this.#valueChoices() : this.#errorChoices();
     return html`<select @change=${(event: Event) => this.#change(choices[Number(chosen(event))].view)}>
       ${choices.map(
         ({ selected, disabled, text }, index) =>
@@ -218,7 +222,7 @@ export class Toolbar extends LitElement {
     return (this.surface?.variables ?? []).map((variable) => ({
       view: showing(variable, this.settings),
       selected: variable.name === this.settings.variable,
-      disabled: this.settings.quantity === 'share' && this.bounds[variable.name]?.free === true,
+      disabled: this.settings.quantity === 'error' && this.bounds[variable.name]?.free === true,
       text: variable.name,
     }));
   }

@@ -28,7 +28,7 @@ export function originalErrors(
   const errors = reduction.vertexErrors?.[chosenIndex(reduction, settings)];
   if (!errors) return null;
   const { placeOf, meaning } = scaleOf(reduction, labels, settings);
-  const shown = settings.quantity === 'signed' ? errors.signedError : errors.error;
+  const shown = settings.quantity === 'signed-error' ? errors.signedError : errors.error;
   const detail = `true error at each vertex${signNote(reduction, settings)}`;
   return { places: vertexPlaces(shown, triangles, placeOf), meaning: { ...meaning, detail } };
 }
@@ -37,7 +37,7 @@ export function originalErrors(
 export function reducedErrors(reduction: Reduction, labels: Labels, settings: ViewSettings): Colouring {
   const { largest, lowest, highest } = reduction.triangleErrors[chosenIndex(reduction, settings)];
   const { placeOf, meaning } = scaleOf(reduction, labels, settings);
-  const shown = settings.quantity === 'signed' ? largerInSize(lowest, highest) : largest;
+  const shown = settings.quantity === 'signed-error' ? largerInSize(lowest, highest) : largest;
   const which = isMeasured(reduction) ? 'largest error in each triangle' : 'upper limit of the error in each triangle';
   return {
     places: flatPlaces(shown, placeOf),
@@ -59,7 +59,9 @@ interface Scale {
 }
 
 function scaleOf(reduction: Reduction, labels: Labels, settings: ViewSettings): Scale {
-  return settings.quantity === 'signed' ? signScale(reduction, labels, settings) : shareScale(reduction, settings);
+  return settings.quantity === 'signed-error'
+    ? signScale(reduction, labels, settings)
+    : shareScale(reduction, settings);
 }
 
 /** Error / bound, always over 0…1. */
@@ -69,7 +71,7 @@ function shareScale(reduction: Reduction, settings: ViewSettings): Scale {
   return {
     placeOf: placeByShare(variable.bound),
     meaning: {
-      quantity: 'share',
+      quantity: 'error',
       title: `error / bound: ${variable.name}${free ? ' (free: no bound)' : ''}`,
       unit: undefined,
       map: 'share',
@@ -92,7 +94,7 @@ function signScale(reduction: Reduction, labels: Labels, settings: ViewSettings)
   return {
     placeOf: placeBySign(reach),
     meaning: {
-      quantity: 'signed',
+      quantity: 'signed-error',
       title: `signed error: ${variable.name}`,
       unit: labels.units[variable.name],
       map: 'diverging',
@@ -115,7 +117,7 @@ function largestSize({ lowest, highest }: TriangleErrors): number {
 
 /** What the sign of an error means. */
 function signNote(reduction: Reduction, settings: ViewSettings): string {
-  if (settings.quantity !== 'signed') return '';
+  if (settings.quantity !== 'signed-error') return '';
   if (settings.variable !== 'position') return '; original\u00a0\u2212\u00a0reduced';
   const along = isDiagnostic(reduction, settings) ? 'summed along the normals' : 'along the normal';
   return `; ${along}, + where the reduced surface is outside`;

@@ -35,15 +35,15 @@ export interface Colouring {
 /** The values of the chosen variable on `mesh`, over the range that they have on the original surface. */
 export function valueColouring(mesh: Mesh, { mesh: original, labels }: OpenSurface, settings: ViewSettings): Colouring {
   const whole = fieldRange(chosenField(original, settings), original.triangles);
-  const range = settings.map === 'diverging' ? centredOnZero(whole) : whole;
+  const range = settings.colormap === 'diverging' ? centredOnZero(whole) : whole;
   return {
     places: cornerPlaces(chosenField(mesh, settings), mesh.triangles, range),
     meaning: {
-      quantity: 'values',
+      quantity: 'value',
       title: chosenTitle(chosenVariable(mesh, settings), labels, settings),
       detail: '',
       unit: labels.units[settings.variable],
-      map: settings.map,
+      map: settings.colormap,
       range,
       ends: [`min ${valueText(whole.lowest, 4)}`, `max ${valueText(whole.highest, 4)}`],
       bounded: false,

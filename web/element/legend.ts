@@ -73,7 +73,7 @@ export class Legend extends LitElement {
         .detail::before {
           content: '· ';
         }
-        .ends.values {
+        .ends.value {
           display: none;
         }
       }

@@ -1,10 +1,9 @@
 import type { Mesh } from '../../wasm/types.ts';
-import type { Labels } from '../formats/surface.ts';
+import type { Format, Labels } from '../formats/surface.ts';
 import { writeSurface } from '../formats/write.ts';
-import type { SavedFormat } from './result-bar.ts';
 
 /** Offers a surface as a download. Rejects where the format cannot hold it. */
-export async function save(mesh: Mesh, labels: Labels, format: SavedFormat, fileName: string): Promise<void> {
+export async function save(mesh: Mesh, labels: Labels, format: Format, fileName: string): Promise<void> {
   const bytes = await writeSurface(format, mesh, labels);
   const address = URL.createObjectURL(new Blob([bytes as Uint8Array<ArrayBuffer>]));
   const link = document.createElement('a');

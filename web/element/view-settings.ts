@@ -3,7 +3,7 @@ import { type Component, componentsOf } from '../colour/field.ts';
 import type { OpenSurface } from '../session/session.ts';
 
 /** What is shown of a variable: its values, the errors as shares of the bound, or the errors with their signs. */
-export type Quantity = 'values' | 'share' | 'signed';
+export type Quantity = 'value' | 'error' | 'signed-error';
 
 /** How the surfaces are looked at. */
 export interface ViewSettings {
@@ -12,7 +12,7 @@ export interface ViewSettings {
   /** Of its values; an error is always that of the whole variable. */
   component: Component;
   /** For values; errors have maps of their own. */
-  map: ValueColormap;
+  colormap: ValueColormap;
   quantity: Quantity;
   /** Flat shading with edges: the tessellation. */
   edges: boolean;
@@ -24,8 +24,8 @@ export const firstView: ViewSettings = {
   // None of any surface, so that the first surface chooses.
   variable: '',
   component: 'magnitude',
-  map: 'viridis',
-  quantity: 'values',
+  colormap: 'viridis',
+  quantity: 'value',
   edges: false,
   linked: true,
 };
@@ -47,6 +47,6 @@ export function showing(variable: { name: string; components: number }, settings
   const { name, components } = variable;
   const offered = componentsOf(components).map(({ component }) => component);
   const keeps = name === settings.variable && offered.includes(settings.component);
-  const quantity = settings.quantity === 'signed' && !hasSign(variable) ? 'share' : settings.quantity;
+  const quantity = settings.quantity === 'signed-error' && !hasSign(variable) ? 'error' : settings.quantity;
   return { ...settings, variable: name, component: keeps ? settings.component : offered[0], quantity };
 }

@@ -179,7 +179,7 @@ export class Stage extends LitElement {
     const { result } = this;
     this.#show(reduced, result?.mesh ?? null, () => {
       this.#drawnResult = result;
-      if (this.settings.quantity !== 'values') this.#repaint(original);
+      if (this.settings.quantity !== 'value') this.#repaint(original);
     });
   }
 
@@ -210,7 +210,7 @@ export class Stage extends LitElement {
     if (!colouring) return new Float32Array();
     this.#viewer?.setLookup(side, {
       table: colourTable(colouring.meaning.map),
-      markAbove: colouring.meaning.quantity !== 'values',
+      markAbove: colouring.meaning.quantity !== 'value',
       above: shown(aboveBoundColour),
       missing: shown(missingColour),
     });
@@ -226,7 +226,7 @@ export class Stage extends LitElement {
     const mesh = this.#drawn[side];
     const [surface, result] = [this.surface, this.#drawnResult];
     if (!mesh || !surface) return null;
-    if (this.settings.quantity === 'values' || !result) return valueColouring(mesh, surface, this.settings);
+    if (this.settings.quantity === 'value' || !result) return valueColouring(mesh, surface, this.settings);
     if (side === reduced) return reducedErrors(result, surface.labels, this.settings);
     return originalErrors(mesh, result, surface.labels, this.settings) ?? this.#valuesInstead(mesh, surface);
   }
