@@ -1,9 +1,12 @@
-/// Reduces a PLY file natively and writes the bytes of the result, for the comparison with the WebAssembly module:
+/// Reduces the gallery and meshes that are not manifold natively, for the comparison with the WebAssembly module:
 ///
-///     native_reduction IN.ply OUT propagated|tracked maximum|introduced
+///     native_reduction FOLDER
 ///
-/// OUT holds the positions, the triangles, the kept vertices, and then the values and the largest errors of each variable.
+/// FOLDER gets, for each mesh, NAME.mesh and one file of the result a mode, NAME.MODE: arrays one after the other, each a
+/// line "name type count" and then its bytes (tests/wasm/labelled-arrays.ts reads them).
 
+#include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -13,48 +16,154 @@
 #include <vector>
 
 #include "meshbound/meshbound.hpp"
-#include "meshes/ply.hpp"
+#include "meshes/fields.hpp"
+#include "meshes/gallery.hpp"
+#include "meshes/oddities.hpp"
+#include "meshes/variations.hpp"
 
 namespace {
 
 using namespace meshbound;
 
-Options options_from(const std::string& errors, const std::string& cost) {
-    Options options;
-    options.errors = errors == "tracked" ? Errors::tracked : Errors::propagated;
-    options.cost = cost == "maximum" ? Cost::maximum : Cost::introduced;
-    return options;
+std::string type_name(float) { return "Float32Array"; }
+std::string type_name(double) { return "Float64Array"; }
+std::string type_name(std::uint32_t) { return "Uint32Array"; }
+
+/// Writes arrays with their names.
+class LabelledArrays {
+public:
+    explicit LabelledArrays(const std::string& path) : file(path, std::ios::binary) {}
+
+    template <class T>
+    void write(const std::string& name, const T* values, std::size_t count) {
+        file << name << ' ' << type_name(T{}) << ' ' << count << '\n';
+        file.write(reinterpret_cast<const char*>(values), static_cast<std::streamsize>(count * sizeof(T)));
+    }
+
+    template <class T>
+    void write(const std::string& name, const std::vector<T>& values) {
+        write(name, values.data(), values.size());
+    }
+
+    void write(const std::string& name, const Values& values) {
+        std::visit([&](const auto& numbers) { write(name, numbers); }, values);
+    }
+
+    void finish() {
+        if (!file.flush()) throw std::runtime_error("A file cannot be written.");
+    }
+
+private:
+    std::ofstream file;
+};
+
+void write_mesh(LabelledArrays& arrays, const Mesh& mesh) {
+    arrays.write("position", mesh.position.values);
+    arrays.write("triangles", mesh.triangles.empty() ? nullptr : &mesh.triangles.front().x, 3 * mesh.triangles.size());
+    for (const Variable& variable : mesh.variables) arrays.write("variable:" + variable.name, variable.values);
 }
 
-template <class T>
-void write(std::ofstream& file, const std::vector<T>& values) {
-    file.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(T)));
+void write_map(LabelledArrays& arrays, const SurfaceMap& map) {
+    std::vector<std::uint32_t> triangle, edges;
+    std::vector<double> barycentric, places;
+    for (const MapPlace& place : map.places) {
+        triangle.push_back(place.triangle);
+        for (int corner = 0; corner < 3; ++corner) barycentric.push_back(place.barycentric[corner]);
+    }
+    for (const MapCrossing& crossing : map.crossings) {
+        edges.insert(edges.end(), {crossing.original.x, crossing.original.y, crossing.reduced.x, crossing.reduced.y});
+        places.insert(places.end(), {crossing.s, crossing.t});
+    }
+    arrays.write("map:triangle", triangle);
+    arrays.write("map:barycentric", barycentric);
+    arrays.write("map:crossingEdges", edges);
+    arrays.write("map:crossingPlaces", places);
+}
+
+void write_report(LabelledArrays& arrays, const Report& report) {
+    const auto number = [](std::size_t count) { return static_cast<double>(count); };
+    arrays.write<double>("report:counts",
+                         {number(report.triangles_before), number(report.triangles_after),
+                          number(report.vertices_before), number(report.vertices_after), number(report.refused.fixed),
+                          number(report.refused.topology), number(report.refused.fold),
+                          number(report.oddities.repeated_vertex_triangles),
+                          number(report.oddities.zero_area_triangles), number(report.oddities.unused_vertices),
+                          number(report.non_manifold_vertices), number(report.cells), number(report.folded_cells)});
+    for (const VariableReport& variable : report.variables)
+        arrays.write<double>("report:" + variable.name,
+                             {variable.bound.extent, variable.bound.magnitude, variable.bound.constant ? 1.0 : 0.0,
+                              variable.bound.absolute, variable.error, variable.ratio, number(variable.refused)});
 }
 
 void write_reduction(const std::string& path, const Reduction& reduction) {
-    std::ofstream file(path, std::ios::binary);
-    const auto write_values = [&](const auto& values) { write(file, values); };
-    std::visit(write_values, reduction.mesh.position.values);
-    write(file, reduction.mesh.triangles);
-    write(file, reduction.vertices);
-    for (const Variable& variable : reduction.mesh.variables) std::visit(write_values, variable.values);
-    for (const TriangleErrors& errors : reduction.triangle_errors) write(file, errors.largest);
+    LabelledArrays arrays(path);
+    write_mesh(arrays, reduction.mesh);
+    arrays.write("vertices", reduction.vertices);
+    for (std::size_t variable = 0; variable < reduction.triangle_errors.size(); ++variable) {
+        const std::string name = ":" + reduction.report.variables[variable].name;
+        const TriangleErrors& errors = reduction.triangle_errors[variable];
+        arrays.write("largest" + name, errors.largest);
+        arrays.write("lowest" + name, errors.lowest);
+        arrays.write("highest" + name, errors.highest);
+    }
+    for (std::size_t variable = 0; variable < reduction.vertex_errors.size(); ++variable) {
+        const std::string name = ":" + reduction.report.variables[variable].name;
+        arrays.write("vertexError" + name, reduction.vertex_errors[variable].error);
+        arrays.write("vertexSignedError" + name, reduction.vertex_errors[variable].signed_error);
+    }
+    if (!reduction.map.places.empty()) write_map(arrays, reduction.map);
+    write_report(arrays, reduction.report);
+    arrays.finish();
 }
 
-void run(const std::vector<std::string>& arguments) {
+struct Mode {
+    std::string name;
+    Errors errors;
+    Cost cost;
+};
+
+const std::vector<Mode> modes = {{"tracked", Errors::tracked, Cost::introduced},
+                                 {"propagated-maximum", Errors::propagated, Cost::maximum},
+                                 {"propagated-introduced", Errors::propagated, Cost::introduced}};
+
+void reduce_in_every_mode(const std::string& path, const Mesh& mesh) {
+    LabelledArrays input(path + ".mesh");
+    write_mesh(input, mesh);
+    input.finish();
     const Bounds bounds = {{"position", relative(0.01)}, {"*", relative(0.03)}};
-    Reduction reduction;
-    const Status status =
-        reduce(meshes::read_ply(arguments.at(0)), bounds, options_from(arguments.at(2), arguments.at(3)), reduction);
-    if (!status.ok()) throw std::runtime_error(status.message);
-    write_reduction(arguments.at(1), reduction);
+    for (const Mode& mode : modes) {
+        Options options;
+        options.errors = mode.errors;
+        options.cost = mode.cost;
+        Reduction reduction;
+        if (const Status status = reduce(mesh, bounds, options, reduction); !status.ok())
+            throw std::runtime_error(path + ": " + status.message);
+        write_reduction(path + "." + mode.name, reduction);
+    }
+}
+
+std::vector<meshes::Exhibit> exhibits() {
+    std::vector<meshes::Exhibit> all = meshes::gallery();
+    // Small beside the wave of the usual fields, so that some of it can go.
+    const auto add = [&](const std::string& name, const Mesh& original) {
+        Mesh mesh = meshes::mapped(original, [](glm::dvec3 p) { return 0.1 * p; });
+        meshes::add_usual_fields(mesh);
+        all.push_back({name, mesh, false});
+    };
+    add("three sheets", meshes::three_sheets(8));
+    add("bow tie", meshes::bow_tie(10));
+    add("cubes on one edge", meshes::cubes_on_one_edge(6));
+    add("one triangle reversed", meshes::one_triangle_reversed(12));
+    add("degenerate triangles", meshes::with_degenerate_triangles(meshes::three_sheets(6)));
+    return all;
 }
 
 } // namespace
 
-int main(int argc, char** argv) {
+int main(int, char** argv) {
     try {
-        run({argv + 1, argv + argc});
+        for (const meshes::Exhibit& exhibit : exhibits())
+            reduce_in_every_mode(std::string(argv[1]) + "/" + exhibit.name, exhibit.mesh);
     } catch (const std::exception& error) {
         std::cerr << error.what() << "\n";
         return 1;
