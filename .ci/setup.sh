@@ -8,7 +8,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 to_start=(g++ cmake ninja-build libglm-dev emscripten)
-to_test=(libgtest-dev libgmock-dev chromium clang libclang-rt-dev clang-format clang-tidy python3-vtk9 python3-numpy)
+to_test=(libgtest-dev libgmock-dev chromium clang libclang-rt-dev clang-format clang-tidy python3-vtk9 python3-numpy
+    valgrind)
 
 packages=("${to_start[@]}")
 if [ "${1:-test}" != start ]; then
