@@ -42,6 +42,9 @@ public:
     /// What a candidate costs in time, in units of a small star: how much the accounting carries along for it.
     virtual std::size_t work() const = 0;
 
+    /// Goes on with other bounds: from now on errors are measured in those of `rows`. The rows so far are still there.
+    virtual void measure_in(const Rows& rows) = 0;
+
     /// The errors on the triangle in `slot`, by row group (position first).
     virtual void errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const = 0;
 };

@@ -104,6 +104,21 @@ void Propagation::commit(const Retriangulation& retriangulation) {
     }
 }
 
+void Propagation::measure_in(const Rows& rows) {
+    std::vector<double> scale(width());
+    for (std::size_t n = 0; n < rows.groups().size(); ++n) {
+        const RowGroup& group = rows.groups()[n];
+        const double ratio = rows_->unit(group) / rows.unit(group);
+        for (int i = group.first; i < group.first + group.count; ++i) scale[static_cast<std::size_t>(i)] = ratio;
+        if (group.variable == 0) scale.back() = ratio; // the signed distance
+    }
+    for (std::size_t i = 0; i < intervals_.size(); ++i) {
+        intervals_[i].lowest *= scale[i % width()];
+        intervals_[i].highest *= scale[i % width()];
+    }
+    rows_ = &rows;
+}
+
 void Propagation::errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const {
     const Interval* intervals = &intervals_[slot * width()];
     ranges.clear();

@@ -9,12 +9,13 @@ Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std
       queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1), touched_(candidate_.size(), 0),
       verdicts_(candidate_.size()) {}
 
-bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker, double end) {
-    const double share = end / static_cast<double>(limits.size());
+bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker, double start, double end) {
+    const double share = (end - start) / static_cast<double>(limits.size());
     for (std::size_t i = 0; i < limits.size(); ++i) {
         const bool last = i + 1 == limits.size(); // before, a refused candidate gets another chance anyway
         const Removal::Effort effort = last ? Removal::Effort::thorough : Removal::Effort::best;
-        if (!sweep_once(limits[i] * limits[i], effort, ticker, static_cast<double>(i) * share, share)) return false;
+        if (!sweep_once(limits[i] * limits[i], effort, ticker, start + static_cast<double>(i) * share, share))
+            return false;
     }
     return true;
 }

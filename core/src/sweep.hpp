@@ -16,9 +16,9 @@ public:
     /// `candidate[v]`: whether vertex v may go at all.
     Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate);
 
-    /// Sweeps with each limit (fractions of the bounds, rising), which takes the progress to `end`. False when the ticker
-    /// cancelled.
-    bool sweep(const std::vector<double>& limits, Ticker& ticker, double end);
+    /// Sweeps with each limit (fractions of the bounds, rising), which takes the progress from `start` to `end`. False when
+    /// the ticker cancelled.
+    bool sweep(const std::vector<double>& limits, Ticker& ticker, double start, double end);
 
     /// The verdict on a vertex that is still there, from its last attempt.
     const Verdict& verdict(std::uint32_t vertex) const { return verdicts_[vertex]; }

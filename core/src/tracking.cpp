@@ -40,6 +40,12 @@ void Tracking::enter(const Hole& hole) {
 
 std::size_t Tracking::work() const { return 1 + content_.vertices().size() / 8; }
 
+/// Places are places, whatever errors are measured in.
+void Tracking::measure_in(const Rows& rows) {
+    rows_ = &rows;
+    measured_rows_ = MeasuredRows(rows, surface_->vertex_count());
+}
+
 const double* Tracking::ring_row(int i) const { return measured_rows_[hole_->ring[at(i)]]; }
 
 void Tracking::index_tree(const Retriangulation& retriangulation) {

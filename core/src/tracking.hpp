@@ -31,6 +31,7 @@ public:
     Measured measure(const Retriangulation& retriangulation, double squared_limit) override;
     void commit(const Retriangulation& retriangulation) override;
     std::size_t work() const override;
+    void measure_in(const Rows& rows) override;
     void errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const override;
 
     /// The parts of the map, for writing it out.

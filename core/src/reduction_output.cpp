@@ -1,0 +1,95 @@
+#include "reduction_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace meshbound {
+namespace {
+
+/// Rounded up, so that the single-precision figure is still a bound.
+float upper_float(double value) {
+    const auto rounded = static_cast<float>(value);
+    return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
+}
+
+} // namespace
+
+Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Oddities& oddities) {
+    Report report;
+    report.triangles_before = mesh.triangles.size();
+    report.vertices_before = vertex_count(mesh);
+    report.oddities = oddities;
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        const Variable& variable = i == 0 ? mesh.position : mesh.variables[i - 1];
+        report.variables.push_back({variable.name, variable.components, bounds[i]});
+    }
+    return report;
+}
+
+Renaming extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduction) {
+    Renaming renamed{std::vector<std::uint32_t>(surface.vertex_count(), no_index),
+                     std::vector<std::uint32_t>(surface.slot_count(), no_index)};
+    for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
+        if (surface.kind(vertex) == VertexKind::absent) continue;
+        renamed.vertex[vertex] = static_cast<std::uint32_t>(reduction.vertices.size());
+        reduction.vertices.push_back(vertex);
+    }
+    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
+        if (!surface.alive(slot)) continue;
+        renamed.triangle[slot] = static_cast<std::uint32_t>(reduction.mesh.triangles.size());
+        const auto corner = [&](std::uint32_t i) { return renamed.vertex[surface.origin(3 * slot + i)]; };
+        reduction.mesh.triangles.push_back({corner(0), corner(1), corner(2)});
+    }
+    reduction.mesh.position = gather(mesh.position, reduction.vertices);
+    for (const Variable& variable : mesh.variables)
+        reduction.mesh.variables.push_back(gather(variable, reduction.vertices));
+    return renamed;
+}
+
+void extract_errors(const Surface& surface, const Rows& rows, const Accounting& accounting, Reduction& reduction,
+                    Ticker& ticker) {
+    reduction.triangle_errors.resize(rows.groups().size());
+    std::vector<ErrorRange> ranges;
+    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
+        if (!ticker.tick(1)) return;
+        if (!surface.alive(slot)) continue;
+        accounting.errors(slot, ranges);
+        for (const RowGroup& group : rows.groups()) {
+            const ErrorRange& range = ranges[group.variable];
+            const double unit = rows.unit(group);
+            TriangleErrors& errors = reduction.triangle_errors[group.variable];
+            VariableReport& report = reduction.report.variables[group.variable];
+            report.error = std::max(report.error, range.largest * unit);
+            if (group.bounded) report.ratio = std::max(report.ratio, range.largest);
+            errors.largest.push_back(upper_float(range.largest * unit));
+            if (group.count > 1 && group.variable != 0) continue;
+            errors.lowest.push_back(-upper_float(-range.lowest * unit));
+            errors.highest.push_back(upper_float(range.highest * unit));
+        }
+    }
+}
+
+void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate,
+                    Report& report) {
+    for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
+        if (surface.kind(vertex) == VertexKind::absent) continue;
+        if (!candidate[vertex]) {
+            ++report.refused.fixed;
+            continue;
+        }
+        const Verdict& verdict = sweeper.verdict(vertex);
+        if (verdict.refusal == Refusal::topology) ++report.refused.topology;
+        if (verdict.refusal == Refusal::fold) ++report.refused.fold;
+        if (verdict.refusal == Refusal::bound) ++report.variables[verdict.variable].refused;
+    }
+}
+
+void report_limits(Report& report) {
+    for (VariableReport& variable : report.variables) {
+        variable.error = variable.bound.absolute;
+        variable.ratio = std::isfinite(variable.bound.absolute) ? 1 : 0;
+    }
+}
+
+} // namespace meshbound

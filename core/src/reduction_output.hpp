@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "accounting.hpp"
+#include "meshbound/reduce.hpp"
+#include "rows.hpp"
+#include "surface.hpp"
+#include "sweep.hpp"
+#include "ticker.hpp"
+
+namespace meshbound {
+
+/// Indices in the reduced mesh by those in the input: vertices in rising order, triangles in the order of their slots.
+struct Renaming {
+    std::vector<std::uint32_t> vertex, triangle;
+};
+
+/// What a report can say before anything is removed.
+Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Oddities& oddities);
+
+/// Writes the surface out as the reduced mesh, with the vertices that it keeps.
+Renaming extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduction);
+
+/// The errors of every triangle and the largest of them all. Stops where the ticker cancels, incomplete.
+void extract_errors(const Surface& surface, const Rows& rows, const Accounting& accounting, Reduction& reduction,
+                    Ticker& ticker);
+
+/// Why each vertex that is still there could not go. `candidate[v]`: whether it was allowed to at all.
+void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate, Report& report);
+
+/// A cancelled result says of its errors what the sweeps made sure of, without looking at every triangle.
+void report_limits(Report& report);
+
+} // namespace meshbound

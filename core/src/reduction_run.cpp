@@ -1,0 +1,110 @@
+#include "reduction_run.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "map_output.hpp"
+#include "meshbound/segmentation.hpp"
+#include "propagation.hpp"
+#include "reduction_output.hpp"
+#include "sweep.hpp"
+#include "tracking.hpp"
+
+namespace meshbound {
+namespace {
+
+/// Sweeping is this share of the progress; the rest is reporting.
+constexpr double sweeping_share = 0.9;
+
+/// Interior and boundary vertices are candidates unless the user locked them (§3.1: all vertices are candidates).
+std::vector<char> find_candidates(const Surface& surface, const std::vector<std::uint32_t>& locked) {
+    std::vector<char> candidate(surface.vertex_count(), 0);
+    for (std::uint32_t vertex = 0; vertex < candidate.size(); ++vertex)
+        candidate[vertex] =
+            surface.kind(vertex) == VertexKind::interior || surface.kind(vertex) == VertexKind::boundary;
+    for (const std::uint32_t vertex : locked) candidate[vertex] = 0;
+    return candidate;
+}
+
+std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& rows, const Surface& surface) {
+    if (options.errors == Errors::tracked) return std::make_unique<Tracking>(rows, surface, options);
+    return std::make_unique<Propagation>(rows, surface.slot_count(), options.cost);
+}
+
+} // namespace
+
+ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities, Ticker& ticker)
+    : mesh_(mesh), options_(options), oddities_(oddities), ticker_(ticker),
+      surface_(mesh.triangles, vertex_count(mesh)), non_manifold_vertices_(surface_.count(VertexKind::fixed)) {}
+
+Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span) {
+    Reduction reduction;
+    reduction.report = begin_report(mesh_, bounds, oddities_);
+    reduction.report.non_manifold_vertices = non_manifold_vertices_;
+    if (ticker_.ask()) sweep_and_report(bounds, reduction, span);
+    if (ticker_.cancelled()) report_cancelled(reduction);
+    reduction.report.triangles_after = reduction.mesh.triangles.size();
+    reduction.report.vertices_after = reduction.vertices.size();
+    return reduction;
+}
+
+/// Errors are known in bounds, so other bounds mean other numbers.
+void ReductionRun::set_bounds(const std::vector<ResolvedBound>& bounds) {
+    auto rows = std::make_unique<Rows>(mesh_, bounds);
+    if (accounting_) accounting_->measure_in(*rows);
+    else accounting_ = make_accounting(options_, *rows, surface_);
+    rows_ = std::move(rows);
+}
+
+/// The sweeps, but for those whose limits lie within bounds that were reached before: they would find nothing.
+std::vector<double> ReductionRun::limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const {
+    std::vector<double> limits;
+    for (const double share : options_.sweeps) {
+        bool farther = reached_.empty() || share == options_.sweeps.back();
+        for (std::size_t i = 0; !farther && i < bounds.size(); ++i)
+            farther = share * bounds[i].absolute > reached_[i].absolute;
+        if (farther) limits.push_back(share * rows_->limit());
+    }
+    return limits;
+}
+
+void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction,
+                                    const ProgressSpan& span) {
+    set_bounds(bounds);
+    if (!ticker_.ask()) return;
+    const std::vector<char> candidate = find_candidates(surface_, options_.locked);
+    Sweeper sweeper(surface_, *rows_, *accounting_, candidate);
+    const double swept = span.start + sweeping_share * (span.end - span.start);
+    const std::vector<double> limits = limits_of_sweeps(bounds);
+    reached_ = bounds;
+    if (!sweeper.sweep(limits, ticker_, span.start, swept)) return;
+    count_refusals(surface_, sweeper, candidate, reduction.report);
+    report_everything(reduction);
+}
+
+/// Everything that a finished result tells; incomplete where the ticker cancels.
+void ReductionRun::report_everything(Reduction& reduction) {
+    const Renaming renamed = extract_mesh(mesh_, surface_, reduction);
+    extract_errors(surface_, *rows_, *accounting_, reduction, ticker_);
+    const auto* tracking = dynamic_cast<const Tracking*>(accounting_.get());
+    if (!tracking) return;
+    extract_map(surface_, *tracking, renamed.vertex, renamed.triangle, reduction.map, ticker_);
+    extract_vertex_errors(*rows_, reduction, reduction.vertex_errors, ticker_);
+    if (!options_.count_folds || ticker_.cancelled()) return;
+    Segmentation segmentation;
+    segment(mesh_, reduction, segmentation, [this](double) { return ticker_.ask(); });
+    reduction.report.cells = segmentation.cells.size();
+    reduction.report.folded_cells = segmentation.folded_cells;
+}
+
+/// What a cancelled call leaves: the surface as far as it got, and the bounds that it keeps.
+void ReductionRun::report_cancelled(Reduction& reduction) const {
+    Report report = std::move(reduction.report);
+    reduction = {};
+    extract_mesh(mesh_, surface_, reduction);
+    report.stopped = Stopped::cancelled;
+    report_limits(report);
+    reduction.report = std::move(report);
+}
+
+} // namespace meshbound

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "accounting.hpp"
+#include "meshbound/reduce.hpp"
+#include "rows.hpp"
+#include "surface.hpp"
+#include "ticker.hpp"
+
+namespace meshbound {
+
+/// A part of the progress of a call.
+struct ProgressSpan {
+    double start = 0, end = 1;
+};
+
+/// A reduction under way: the surface as far as it got, and all that is known of its errors. It can go on with coarser
+/// bounds (§4): the next result continues from the one before, with errors against the original still.
+class ReductionRun {
+public:
+    /// The mesh is valid, the options are checked; both outlive the run, as the ticker does.
+    ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities, Ticker& ticker);
+
+    /// Removes what these bounds allow, and tells of what is left. Each bound is no lower than in the call before. Where
+    /// the ticker cancels, the result is marked so.
+    Reduction reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span);
+
+private:
+    void set_bounds(const std::vector<ResolvedBound>& bounds);
+    std::vector<double> limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const;
+    void sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction, const ProgressSpan& span);
+    void report_everything(Reduction& reduction);
+    void report_cancelled(Reduction& reduction) const;
+
+    const Mesh& mesh_;
+    const Options& options_;
+    Oddities oddities_;
+    Ticker& ticker_;
+    Surface surface_;
+    std::size_t non_manifold_vertices_ = 0;
+    std::unique_ptr<Rows> rows_;
+    std::unique_ptr<Accounting> accounting_;
+    std::vector<ResolvedBound> reached_; // the bounds of the last call; empty before the first
+};
+
+} // namespace meshbound
