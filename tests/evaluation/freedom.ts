@@ -1,0 +1,38 @@
+/**
+ * What choosing places and crossings of the tracked map is worth (docs/algorithm.md): triangles left at 1 % of the geometry
+ * and 3 % of every variable, and the share of the map's cells that are folded, for the surfaces in the given PLY files.
+ *
+ *     npx tsx tests/evaluation/freedom.ts FILE.ply...
+ */
+
+import { readFileSync } from 'node:fs';
+import { basename } from 'node:path';
+
+import { reduce } from '../../wasm/index.ts';
+import type { Mesh } from '../../wasm/types.ts';
+import { readPly } from '../../web/formats/read-ply.ts';
+import { markdownTable } from './markdown.ts';
+
+const bounds = { position: { relative: 0.01 }, '*': { relative: 0.03 } };
+
+const freedoms = [
+  { title: 'neither', choosePlaces: false, chooseCrossings: false },
+  { title: 'places', choosePlaces: true, chooseCrossings: false },
+  { title: 'crossings', choosePlaces: false, chooseCrossings: true },
+  { title: 'both', choosePlaces: true, chooseCrossings: true },
+];
+
+/** Triangles left, and how much of the map is folded: "950 · 2.1 %". */
+async function outcome(mesh: Mesh, { choosePlaces, chooseCrossings }: (typeof freedoms)[number]): Promise<string> {
+  const { report } = await reduce(mesh, { bounds, choosePlaces, chooseCrossings });
+  return `${report.triangles.after} · ${((100 * report.foldedCells) / report.cells).toFixed(1)} %`;
+}
+
+const lines: (string | number)[][] = [];
+for (const path of process.argv.slice(2)) {
+  const { mesh } = readPly(readFileSync(path));
+  const line: (string | number)[] = [basename(path, '.ply'), mesh.triangles.length / 3];
+  for (const freedom of freedoms) line.push(await outcome(mesh, freedom));
+  lines.push(line);
+}
+console.log(markdownTable(['surface', 'triangles', ...freedoms.map(({ title }) => title)], lines));
