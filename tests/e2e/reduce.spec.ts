@@ -30,9 +30,9 @@ test.describe('on one page', () => {
 
   /** A surface whose reduction takes a while. */
   async function openLarge(): Promise<void> {
-    const triangles = 2 * 219 * 219;
+    const triangles = 2 * 319 * 319;
     if ((await counts(page())).before === triangles) return;
-    await chooseFile(page(), 'sheet.ply', sheet(220));
+    await chooseFile(page(), 'sheet.ply', sheet(320));
     await expect.poll(async () => (await counts(page())).before).toBe(triangles);
     await settled(page());
   }

@@ -1,9 +1,10 @@
 import type { Bound, Mesh } from '../../wasm/index.ts';
 import { listed, quoted } from '../formats/wording.ts';
+import { type Bounds, readBound } from '../session/bound-text.ts';
+import { messageOf } from '../session/failure.ts';
 import { Fault, UsageFault } from './fault.ts';
 
-/** Bounds by variable name; `position` is the geometry, `*` every variable not named. */
-export type Bounds = Record<string, Bound>;
+export { type Bounds, boundOf } from '../session/bound-text.ts';
 
 /** The bounds of a command line, `NAME=1%`, `NAME=0.2` or `NAME=free` each; of two with one name the later one holds. */
 export function parseBounds(texts: readonly string[]): Bounds {
@@ -15,24 +16,17 @@ export function parseBounds(texts: readonly string[]): Bounds {
 
 function parseBound(text: string): [string, Bound] {
   const at = text.lastIndexOf('=');
-  const [name, value] = [text.slice(0, at), text.slice(at + 1).trim()];
-  if (at < 1) throw faultIn(text, 'it has the form NAME=1%, NAME=0.2 or NAME=free');
-  if (value === 'free') return [name, 'free'];
-  const [, digits, percent] = /^(.*?)\s*(%?)$/.exec(value) ?? [];
-  const number = digits ? Number(digits) : Number.NaN;
-  if (Number.isNaN(number)) throw faultIn(text, `${quoted(value)} is not a number, a percentage or “free”`);
-  if (!(number > 0 && Number.isFinite(number))) throw faultIn(text, 'it must be a finite number above zero');
-  return [name, percent ? { relative: number / 100 } : { absolute: number }];
+  const name = text.slice(0, at);
+  if (at < 1) throw faultIn(text, 'it has the form NAME=1%, NAME=0.2 or NAME=free.');
+  try {
+    return [name, readBound(text.slice(at + 1))];
+  } catch (error) {
+    throw faultIn(text, messageOf(error));
+  }
 }
 
 function faultIn(text: string, reason: string): UsageFault {
-  return new UsageFault(`The bound ${quoted(text)} cannot be: ${reason}.`);
-}
-
-/** The bound that holds for a variable; none is free. */
-export function boundOf(bounds: Bounds, name: string): Bound {
-  if (Object.hasOwn(bounds, name)) return bounds[name];
-  return Object.hasOwn(bounds, '*') ? bounds['*'] : 'free';
+  return new UsageFault(`The bound ${quoted(text)} cannot be: ${reason}`);
 }
 
 /** The variables of a mesh that no bound reaches, not even as free. */

@@ -99,11 +99,11 @@ export class Legend extends LitElement {
     const { title, detail, unit, map, range } = this.meaning;
     const ticks = roundTicks(range, tickCount);
     return html`
-      <div class="title">${unit && unit !== '1' ? `${title} [${unit}]` : title}</div>
+      <div class="title" part="title">${unit && unit !== '1' ? `${title} [${unit}]` : title}</div>
       ${detail ? html`<div class="detail soft">${detail}</div>` : nothing}
-      <div class="bar" style="background:${cssGradient(map, 'to right')}"></div>
-      <div class="ticks">
-        ${ticks.map((tick) => html`<span style="left:${100 * placeIn(range, tick)}%">${valueText(tick, 6)}</span>`)}
+      <div class="bar" part="bar" .style=${`background:${cssGradient(map, 'to right')}`}></div>
+      <div class="ticks" part="ticks">
+        ${ticks.map((tick) => html`<span .style=${`left:${100 * placeIn(range, tick)}%`}>${valueText(tick, 6)}</span>`)}
       </div>
       ${this.#below(this.meaning)}
     `;
@@ -121,7 +121,7 @@ export class Legend extends LitElement {
 }
 
 function swatch(colour: Colour, text: string) {
-  return html`<span><span class="swatch" style="background:${cssColour(colour)}"></span>${text}</span>`;
+  return html`<span><span class="swatch" .style=${`background:${cssColour(colour)}`}></span>${text}</span>`;
 }
 
 customElements.define('meshbound-legend', Legend);

@@ -49,7 +49,9 @@ export class Notices extends LitElement {
     return repeat(
       this.notices,
       ({ id }) => id,
-      (notice) => html`<div class="notice ${notice.kind}" role=${notice.kind === 'error' ? 'alert' : 'status'}>
+      (
+        notice,
+      ) => html`<div part="notice" class="notice ${notice.kind}" role=${notice.kind === 'error' ? 'alert' : 'status'}>
         <p>${notice.text}</p>
         ${notice.remedy ? html`<button @click=${notice.remedy.take}>${notice.remedy.label}</button>` : nothing}
         <button @click=${() => this.#dismiss(notice.id)}>Dismiss</button>

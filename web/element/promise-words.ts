@@ -1,15 +1,6 @@
 import type { Reduction, Report, VariableExtent, VariableReport } from '../../wasm/index.ts';
+import { sizeOf } from '../session/bound-setting.ts';
 import { countText, lowerPercentText, trianglesText, upperPercentText, upperText } from './number-text.ts';
-
-/** What a relative bound of a variable is a fraction of, in its unit: 1 where the variable itself has no size. */
-export function wholeOf(variable: VariableExtent): number {
-  return sizeOf(variable) || 1;
-}
-
-/** Zero where all points coincide, or all values are zero. */
-function sizeOf({ constant, extent, magnitude }: VariableExtent): number {
-  return constant ? magnitude : extent;
-}
 
 /** A bound or an error of a variable as a percentage; in its unit where there is nothing to take a percentage of. */
 function shareText(value: number, variable: VariableExtent): string {

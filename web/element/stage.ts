@@ -115,7 +115,7 @@ export class Stage extends LitElement {
 
   override render() {
     return html`
-      <canvas aria-hidden="true"></canvas>
+      <canvas part="canvas" aria-hidden="true"></canvas>
       <div class="panes">${sides.map((_, side) => this.#pane(side))}</div>
     `;
   }
@@ -124,14 +124,22 @@ export class Stage extends LitElement {
     const keys = 'Arrow keys turn, with Shift they move, plus and minus zoom, 0 fits.';
     return html`<div
       class="pane"
+      part="pane"
       id=${sides[side]}
       tabindex="0"
       role="application"
       aria-label="${sides[side]} surface. ${keys}"
       @keydown=${(event: KeyboardEvent) => this.#pressKey(side, event)}
     >
-      <div class="caption">${side === original ? this.#originalCaption() : this.#reducedCaption()}</div>
-      ${this.meanings[side] ? html`<meshbound-legend .meaning=${this.meanings[side]}></meshbound-legend>` : nothing}
+      <div class="caption" part="caption">${side === original ? this.#originalCaption() : this.#reducedCaption()}</div>
+      ${
+        this.meanings[side]
+          ? html`<meshbound-legend
+              part="legend"
+              exportparts="title: legend-title, bar: legend-bar, ticks: legend-ticks"
+              .meaning=${this.meanings[side]}></meshbound-legend>`
+          : nothing
+      }
     </div>`;
   }
 
@@ -148,6 +156,26 @@ export class Stage extends LitElement {
   }
 
   override firstUpdated(): void {
+    this.#begin();
+  }
+
+  /** Moved within the document, or back into it: everything is drawn again. */
+  override connectedCallback(): void {
+    super.connectedCallback();
+    if (!this.hasUpdated || this.#viewer) return;
+    this.#begin();
+    this.#showAll();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#viewer?.dispose();
+    this.#viewer = null;
+    this.#drawn = [null, null];
+    this.#drawnResult = null;
+  }
+
+  #begin(): void {
     const canvas = this.renderRoot.querySelector('canvas') as HTMLCanvasElement;
     const panes = [...this.renderRoot.querySelectorAll<HTMLElement>('.pane')];
     try {
@@ -163,6 +191,13 @@ export class Stage extends LitElement {
     if (changed.has('surface')) this.#showOriginal();
     if (changed.has('surface') || changed.has('result')) this.#showReduced();
     if (changed.has('settings')) this.#applySettings(this.#viewer);
+  }
+
+  #showAll(): void {
+    if (!this.#viewer) return;
+    this.#applySettings(this.#viewer);
+    this.#showOriginal();
+    this.#showReduced();
   }
 
   fit(): void {

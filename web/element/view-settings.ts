@@ -1,9 +1,11 @@
-import type { ValueColormap } from '../colour/colormaps.ts';
+import type { VariableExtent } from '../../wasm/index.ts';
+import { type ValueColormap, valueColormaps } from '../colour/colormaps.ts';
 import { type Component, componentsOf } from '../colour/field.ts';
 import type { OpenSurface } from '../session/session.ts';
 
 /** What is shown of a variable: its values, the errors as shares of the bound, or the errors with their signs. */
-export type Quantity = 'value' | 'error' | 'signed-error';
+export const quantities = ['value', 'error', 'signed-error'] as const;
+export type Quantity = (typeof quantities)[number];
 
 /** How the surfaces are looked at. */
 export interface ViewSettings {
@@ -35,18 +37,46 @@ export function hasSign({ name, components }: { name: string; components: number
   return components === 1 || name === 'position';
 }
 
-/** The same view of another surface: a variable that it does not have is replaced by the first one that varies. */
-export function settingsFor({ variables }: OpenSurface, settings: ViewSettings): ViewSettings {
-  const [position, ...data] = variables;
-  const kept = variables.find(({ name }) => name === settings.variable);
-  return showing(kept ?? data.find(({ constant }) => !constant) ?? data[0] ?? position, settings);
+/** What a viewer is asked to show, whatever surface is open. Null and what does not exist leave the choice to the viewer. */
+export interface WantedView {
+  variable: string | null;
+  /** `magnitude`, or what a component is called. */
+  component: string | null;
+  show: string | null;
+  colormap: string | null;
+  edges: boolean;
+  unlinked: boolean;
 }
 
-/** The same view of this variable, as far as it has what is shown. */
-export function showing(variable: { name: string; components: number }, settings: ViewSettings): ViewSettings {
-  const { name, components } = variable;
-  const offered = componentsOf(components).map(({ component }) => component);
-  const keeps = name === settings.variable && offered.includes(settings.component);
-  const quantity = settings.quantity === 'signed-error' && !hasSign(variable) ? 'error' : settings.quantity;
-  return { ...settings, variable: name, component: keeps ? settings.component : offered[0], quantity };
+/** What is wanted, as far as the surface has it. */
+export function settingsFor(surface: OpenSurface | null, wanted: WantedView): ViewSettings {
+  const settings: ViewSettings = {
+    ...firstView,
+    colormap: valueColormaps.find((name) => name === wanted.colormap) ?? firstView.colormap,
+    quantity: quantities.find((name) => name === wanted.show) ?? firstView.quantity,
+    edges: wanted.edges,
+    linked: !wanted.unlinked,
+  };
+  return surface ? { ...settings, ...shownVariable(surface, wanted, settings.quantity) } : settings;
+}
+
+function shownVariable(
+  { variables, labels }: OpenSurface,
+  wanted: WantedView,
+  quantity: Quantity,
+): Pick<ViewSettings, 'variable' | 'component' | 'quantity'> {
+  const variable = variables.find(({ name }) => name === wanted.variable) ?? firstShown(variables);
+  const choices = componentsOf(variable.components, labels.componentNames[variable.name]);
+  const { component } = choices.find(({ label }) => label === wanted.component) ?? choices[0];
+  const shown = quantity === 'signed-error' && !hasSign(variable) ? 'error' : quantity;
+  return { variable: variable.name, component, quantity: shown };
+}
+
+/** The first variable that varies; the geometry where there is none. */
+function firstShown([position, ...data]: VariableExtent[]): VariableExtent {
+  return data.find(({ constant }) => !constant) ?? data[0] ?? position;
+}
+
+export function sameView(one: ViewSettings, other: ViewSettings): boolean {
+  return Object.entries(one).every(([key, value]) => other[key as keyof ViewSettings] === value);
 }

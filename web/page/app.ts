@@ -1,30 +1,26 @@
 import { css, html, LitElement } from 'lit';
-import type { Sample } from '../session/services.ts';
-import type { Method, OpenSurface, Session } from '../session/session.ts';
+import '../element/index.ts';
+import type { WantedView } from '../element/view-settings.ts';
+import type { Method } from '../session/session.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';
 import { controlsStyle } from '../element/controls-style.ts';
-import { reducedFileName } from '../element/file-name.ts';
-import { FileDrop } from './file-drop.ts';
-import '../element/notices.ts';
 import { isMeasured } from '../element/promise-words.ts';
+import { tokens } from '../element/tokens.ts';
+import { FileDrop } from './file-drop.ts';
 import type { SavedFormat } from './result-bar.ts';
 import './result-bar.ts';
-import { save } from '../element/save.ts';
-import type { Stage } from '../element/stage.ts';
-import '../element/stage.ts';
+import type { Sample } from './samples.ts';
 import './toolbar.ts';
-import { firstView, settingsFor, type ViewSettings } from '../element/view-settings.ts';
 
-/** The whole page around one session. */
+/** The whole page around one viewer. */
 export class App extends LitElement {
   static override properties = {
-    session: { attribute: false },
     samples: { attribute: false },
-    settings: { state: true },
   };
 
   static override styles = [
+    tokens,
     controlsStyle,
     css`
       :host {
@@ -43,20 +39,9 @@ export class App extends LitElement {
         background: var(--panel);
         border-right: 1px solid var(--line);
       }
-      .stage {
+      meshbound-viewer {
         grid-area: stage;
-        position: relative;
-      }
-      meshbound-stage {
-        height: 100%;
-      }
-      meshbound-notices {
-        position: absolute;
-        z-index: 1;
-        top: 50px;
-        left: 50%;
-        width: min(620px, 100% - 24px);
-        transform: translateX(-50%);
+        aspect-ratio: auto;
       }
       meshbound-result-bar {
         grid-area: result;
@@ -90,31 +75,22 @@ export class App extends LitElement {
     `,
   ];
 
-  declare session: Session;
   declare samples: readonly Sample[];
-  declare settings: ViewSettings;
+
+  /** What shows the surfaces; everything else on the page drives it. */
+  readonly viewer = document.createElement('meshbound-viewer');
+  #drop = new FileDrop(this, (file) => this.#openFile(file));
 
   constructor() {
     super();
     this.samples = [];
-    this.settings = firstView;
-  }
-
-  #shown: OpenSurface | null = null;
-  #drop = new FileDrop(this, (file) => this.#openFile(file));
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.session.addEventListener('change', this.#sessionChanged);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.session.removeEventListener('change', this.#sessionChanged);
+    this.viewer.setAttribute('role', 'main');
+    this.viewer.session.addEventListener('change', () => this.requestUpdate());
   }
 
   override render() {
-    const { surface, bounds, method, result, opening, progress, cancelled, notices } = this.session.state;
+    const { session } = this.viewer;
+    const { surface, bounds, method, result, opening, progress, cancelled } = session.state;
     const measured = result !== null && isMeasured(result);
     return html`
       <meshbound-toolbar
@@ -123,11 +99,11 @@ export class App extends LitElement {
         .opening=${opening}
         .surface=${surface}
         .bounds=${bounds}
-        .settings=${this.settings}
+        .settings=${this.viewer.settings}
         @open-file=${({ detail }: CustomEvent<File>) => this.#openFile(detail)}
         @open-sample=${({ detail }: CustomEvent<Sample>) => this.openSample(detail)}
-        @view-change=${({ detail }: CustomEvent<ViewSettings>) => (this.settings = detail)}
-        @fit=${() => this.renderRoot.querySelector<Stage>('meshbound-stage')?.fit()}
+        @view-change=${({ detail }: CustomEvent<Partial<WantedView>>) => this.#changeView(detail)}
+        @fit=${() => this.viewer.fit()}
       ></meshbound-toolbar>
       <div class="bounds" role="region" aria-label="Bounds">
         <meshbound-bounds-panel
@@ -137,22 +113,10 @@ export class App extends LitElement {
           .report=${result?.report ?? null}
           .measured=${measured}
           @bounds-change=${({ detail }: CustomEvent<BoundChange>) => this.#changeBounds(detail)}
-          @method-change=${({ detail }: CustomEvent<Method>) => this.session.setMethod(detail)}
+          @method-change=${({ detail }: CustomEvent<Method>) => session.setMethod(detail)}
         ></meshbound-bounds-panel>
       </div>
-      <div class="stage" role="main">
-        <meshbound-stage
-          .surface=${surface}
-          .result=${result}
-          .reducing=${progress !== null}
-          .settings=${this.settings}
-          @stage-fault=${({ detail }: CustomEvent<string>) => this.session.report(detail, { lasting: true })}
-        ></meshbound-stage>
-        <meshbound-notices
-          .notices=${notices}
-          @dismiss=${({ detail }: CustomEvent<number>) => this.session.dismiss(detail)}
-        ></meshbound-notices>
-      </div>
+      ${this.viewer}
       <meshbound-result-bar
         role="contentinfo"
         .report=${result?.report ?? null}
@@ -160,44 +124,32 @@ export class App extends LitElement {
         .opening=${opening}
         .progress=${progress}
         .cancelled=${cancelled}
-        @cancel=${() => this.session.cancel()}
-        @reduce-again=${() => this.session.reduceAgain()}
-        @save=${({ detail }: CustomEvent<SavedFormat>) => this.#save(detail)}
+        @cancel=${() => session.cancel()}
+        @reduce-again=${() => session.reduceAgain()}
+        @save=${({ detail }: CustomEvent<SavedFormat>) => this.viewer.save(detail)}
       ></meshbound-result-bar>
       <div class="drop ${this.#drop.hovering ? 'hovering' : ''}">Drop to open</div>
     `;
   }
 
-  openSample(sample: Sample): void {
-    void this.session.openSample(sample);
+  openSample({ address }: Sample): void {
+    this.viewer.src = address;
   }
 
   #openFile(file: File): void {
-    void this.session.openFile(file);
+    void this.viewer.open(file);
+  }
+
+  #changeView(wanted: Partial<WantedView>): void {
+    Object.assign(this.viewer, wanted);
+    this.requestUpdate();
   }
 
   #changeBounds(change: BoundChange): void {
-    if ('all' in change) this.session.setAllBounds(change.all);
-    else this.session.setBound(change.variable, change.setting);
+    const { session } = this.viewer;
+    if ('all' in change) session.setAllBounds(change.all);
+    else session.setBound(change.variable, change.setting);
   }
-
-  async #save(format: SavedFormat): Promise<void> {
-    const { surface, result } = this.session.state;
-    if (!surface || !result) return;
-    try {
-      await save(result.mesh, surface.labels, format, reducedFileName(surface.name, format));
-    } catch (error) {
-      this.session.report(error);
-    }
-  }
-
-  /** Another surface has other variables. */
-  #sessionChanged = (): void => {
-    const { surface } = this.session.state;
-    if (surface !== this.#shown && surface) this.settings = settingsFor(surface, this.settings);
-    this.#shown = surface;
-    this.requestUpdate();
-  };
 }
 
 customElements.define('meshbound-app', App);

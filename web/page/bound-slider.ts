@@ -90,7 +90,7 @@ export class BoundSlider extends LitElement {
       step="1"
       aria-label=${this.label}
       aria-valuetext=${this.spoken}
-      style="--place:${place};--used:${this.used}"
+      .style=${`--place:${place};--used:${this.used}`}
       .value=${String(Math.round(place * steps))}
       ?disabled=${this.disabled}
       @input=${this.#input}

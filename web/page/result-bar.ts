@@ -93,7 +93,7 @@ export class ResultBar extends LitElement {
       ${
         this.progress === null
           ? nothing
-          : html`<div class="progress" aria-hidden="true" style="width:${100 * this.progress}%"></div>`
+          : html`<div class="progress" aria-hidden="true" .style=${`width:${100 * this.progress}%`}></div>`
       }
       <p class="sentence" role="status">${this.report ? promiseSentence(this.report, this.measured) : ''}</p>
       <span class="numbers soft">${this.#numbers()}</span>

@@ -1,18 +1,18 @@
 import { css, html, LitElement } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { type ValueColormap, valueColormaps } from '../colour/colormaps.ts';
+import { valueColormaps } from '../colour/colormaps.ts';
 import { componentsOf } from '../colour/field.ts';
 import { controlsStyle } from '../element/controls-style.ts';
-import { firstView, hasSign, type Quantity, showing, type ViewSettings } from '../element/view-settings.ts';
+import { firstView, hasSign, type Quantity, type ViewSettings, type WantedView } from '../element/view-settings.ts';
 import { formatNames } from '../formats/format-names.ts';
 import type { BoundSettings } from '../session/bound-setting.ts';
-import type { Sample } from '../session/services.ts';
 import type { OpenSurface } from '../session/session.ts';
+import type { Sample } from './samples.ts';
 
 /** What the file dialogue offers: a glTF may also be text, and all may be packed. The content of a file decides what it is. */
 const offeredEndings = [...Object.keys(formatNames), 'gltf', 'gz'].map((ending) => `.${ending}`).join();
 
-const quantities: Record<Quantity, string> = {
+const quantityNames: Record<Quantity, string> = {
   value: 'values',
   error: 'error / bound',
   'signed-error': 'signed error',
@@ -23,7 +23,7 @@ const errorMaps: Record<Exclude<Quantity, 'value'>, string> = { error: 'YlOrBr',
 
 /** A variable, or a component of one, to be looked at. */
 interface Choice {
-  view: ViewSettings;
+  view: Partial<WantedView>;
   selected: boolean;
   disabled: boolean;
   text: string;
@@ -34,7 +34,7 @@ interface Choice {
  *
  * @fires open-file with a File
  * @fires open-sample with a Sample
- * @fires view-change with the new ViewSettings
+ * @fires view-change with what is wanted now: a Partial<WantedView>
  * @fires fit
  */
 export class Toolbar extends LitElement {
@@ -134,16 +134,17 @@ export class Toolbar extends LitElement {
   }
 
   #fileControls() {
+    const open = this.surface?.address;
     return html`
       <button @click=${this.#browse}>Open…</button>
       <input type="file" hidden accept=${offeredEndings} @change=${this.#openFile} />
       <label>
         <span class="soft">Sample</span>
         <select @change=${this.#openSample}>
-          <option value="" disabled .selected=${live(!this.surface?.sample)}>choose…</option>
+          <option value="" disabled .selected=${live(!this.samples.some(({ address }) => address === open))}>choose…</option>
           ${this.samples.map(
-            ({ name, title }) =>
-              html`<option value=${name} .selected=${live(name === this.surface?.sample)}>${title}</option>`,
+            ({ name, title, address }) =>
+              html`<option value=${name} .selected=${live(address === open)}>${title}</option>`,
           )}
         </select>
       </label>
@@ -166,7 +167,7 @@ export class Toolbar extends LitElement {
     const { colormap } = this.settings;
     return html`<select
       class="narrow"
-      @change=${(event: Event) => this.#change({ colormap: chosen(event) as ValueColormap })}
+      @change=${(event: Event) => this.#change({ colormap: chosen(event) })}
     >
       ${valueColormaps.map((name) => html`<option .selected=${live(name === colormap)}>${name}</option>`)}
     </select>`;
@@ -180,9 +181,9 @@ export class Toolbar extends LitElement {
     const variable = this.surface?.variables.find(({ name }) => name === this.settings.variable);
     return html`<select
       class="middle"
-      @change=${(event: Event) => this.#change({ quantity: chosen(event) as Quantity })}
+      @change=${(event: Event) => this.#change({ show: chosen(event) })}
     >
-      ${Object.entries(quantities).map(
+      ${Object.entries(quantityNames).map(
         ([name, text]) =>
           html`<option
             value=${name}
@@ -210,7 +211,7 @@ export class Toolbar extends LitElement {
     const names = this.surface?.labels.componentNames ?? {};
     return (this.surface?.variables ?? []).flatMap((variable) =>
       componentsOf(variable.components, names[variable.name]).map(({ component, label }) => ({
-        view: { ...showing(variable, this.settings), component },
+        view: { variable: variable.name, component: label },
         selected: variable.name === this.settings.variable && component === this.settings.component,
         disabled: false,
         text: variable.components === 1 ? variable.name : `${variable.name}, ${label}`,
@@ -220,7 +221,7 @@ export class Toolbar extends LitElement {
 
   #errorChoices(): Choice[] {
     return (this.surface?.variables ?? []).map((variable) => ({
-      view: showing(variable, this.settings),
+      view: { variable: variable.name },
       selected: variable.name === this.settings.variable,
       disabled: this.settings.quantity === 'error' && this.bounds[variable.name]?.free === true,
       text: variable.name,
@@ -235,7 +236,7 @@ export class Toolbar extends LitElement {
         Edges
       </label>
       <label>
-        <input type="checkbox" .checked=${linked} @change=${(event: Event) => this.#change({ linked: ticked(event) })} />
+        <input type="checkbox" .checked=${linked} @change=${(event: Event) => this.#change({ unlinked: !ticked(event) })} />
         One camera
       </label>
       <button @click=${() => this.dispatchEvent(new CustomEvent('fit'))}>Fit</button>
@@ -259,8 +260,8 @@ export class Toolbar extends LitElement {
     if (sample) this.dispatchEvent(new CustomEvent('open-sample', { detail: sample }));
   }
 
-  #change(change: Partial<ViewSettings>): void {
-    this.dispatchEvent(new CustomEvent('view-change', { detail: { ...this.settings, ...change } }));
+  #change(detail: Partial<WantedView>): void {
+    this.dispatchEvent(new CustomEvent('view-change', { detail }));
   }
 }
 

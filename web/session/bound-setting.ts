@@ -1,9 +1,13 @@
+import type { VariableExtent } from '../../wasm/inspection.ts';
 import type { Bound } from '../../wasm/types.ts';
+import { type Bounds, boundOf } from './bound-text.ts';
 
-/** What the user asks of one variable: a bound as a fraction of its extent, or none. */
+/** What the user asks of one variable: a bound as a fraction of its extent or in its unit, or none. */
 export interface BoundSetting {
   /** 0.01 is one percent. Kept while free, so that bounding again brings it back. */
   fraction: number;
+  /** In the variable's unit, where it was stated so: then this is what runs, and `fraction` says how large it is. */
+  absolute?: number;
   free: boolean;
 }
 
@@ -23,6 +27,33 @@ export function defaultBounds(variables: readonly string[]): BoundSettings {
   return Object.fromEntries(settings);
 }
 
+/** The settings that state `bounds`: a variable that none reaches is free. */
+export function settingsFrom(bounds: Bounds, variables: readonly VariableExtent[]): BoundSettings {
+  const first = defaultBounds(variables.map(({ name }) => name));
+  const settings = variables.map((variable): [string, BoundSetting] => {
+    const bound = boundOf(bounds, variable.name);
+    if (bound === 'free') return [variable.name, { ...first[variable.name], free: true }];
+    if ('relative' in bound) return [variable.name, { fraction: bound.relative, free: false }];
+    return [variable.name, inUnit(bound.absolute, variable)];
+  });
+  return Object.fromEntries(settings);
+}
+
+/** A bound in the variable's unit. */
+export function inUnit(absolute: number, variable: VariableExtent): BoundSetting {
+  return { fraction: absolute / wholeOf(variable), absolute, free: false };
+}
+
+/** What a relative bound of a variable is a fraction of, in its unit: 1 where the variable itself has no size. */
+export function wholeOf(variable: VariableExtent): number {
+  return sizeOf(variable) || 1;
+}
+
+/** Zero where all points coincide, or all values are zero. */
+export function sizeOf({ constant, extent, magnitude }: VariableExtent): number {
+  return constant ? magnitude : extent;
+}
+
 /** The largest bound that holds, as a fraction; of the free ones where all are free. */
 export function largestFraction(settings: BoundSettings): number {
   const all = Object.values(settings);
@@ -33,11 +64,13 @@ export function largestFraction(settings: BoundSettings): number {
 /** All bounds multiplied by the factor that brings the largest to `fraction`. */
 export function moveAll(settings: BoundSettings, fraction: number): BoundSettings {
   const factor = fraction / largestFraction(settings);
-  const moved = Object.entries(settings).map(([name, setting]): [string, BoundSetting] => [
-    name,
-    { ...setting, fraction: tidy(setting.fraction * factor) },
-  ]);
-  return Object.fromEntries(moved);
+  const all = Object.entries(settings).map(([name, setting]): [string, BoundSetting] => [name, moved(setting, factor)]);
+  return Object.fromEntries(all);
+}
+
+function moved({ fraction, absolute, free }: BoundSetting, factor: number): BoundSetting {
+  const setting = { fraction: tidy(fraction * factor), free };
+  return absolute === undefined ? setting : { ...setting, absolute: tidy(absolute * factor) };
 }
 
 /** Significant digits of a bound: as many as are shown, so that the bound that runs is the one that the user reads. */
@@ -49,11 +82,13 @@ export function tidy(fraction: number): number {
 
 /** The bounds as the reduction takes them. */
 export function asBounds(settings: BoundSettings): Record<string, Bound> {
-  const bounds = Object.entries(settings).map(([name, { fraction, free }]): [string, Bound] => [
-    name,
-    free ? 'free' : { relative: fraction },
-  ]);
+  const bounds = Object.entries(settings).map(([name, setting]): [string, Bound] => [name, asBound(setting)]);
   return Object.fromEntries(bounds);
+}
+
+function asBound({ fraction, absolute, free }: BoundSetting): Bound {
+  if (free) return 'free';
+  return absolute === undefined ? { relative: fraction } : { absolute };
 }
 
 /** A percentage that a user typed, as a tidy fraction, or what is wrong with it. */
@@ -64,7 +99,7 @@ export function parsePercent(text: string): { fraction: number } | { fault: stri
     return { fault: written === '' ? 'A bound needs a number.' : `“${written}” is not a number.` };
   if (!Number.isFinite(percent)) return { fault: 'A bound must be finite. To set no bound, clear “bounded”.' };
   if (percent < 0) return { fault: 'A bound cannot be negative.' };
-  const fraction = percent / 100;
+  const fraction = tidy(percent / 100);
   if (fraction === 0) return { fault: 'A bound cannot be zero: nothing could be removed.' };
   return { fraction };
 }

@@ -8,3 +8,9 @@ export function nonFiniteVariable(error: unknown): string | undefined {
   const { code, variable } = (error ?? {}) as { code?: unknown; variable?: unknown };
   return code === 'non_finite_value' && typeof variable === 'string' ? variable : undefined;
 }
+
+/** What `error` calls itself, for programs; `failed` where it does not. */
+export function codeOf(error: unknown): string {
+  const { code } = (error ?? {}) as { code?: unknown };
+  return typeof code === 'string' ? code : 'failed';
+}

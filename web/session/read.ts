@@ -11,7 +11,7 @@ export interface OpenedFile {
   labels: Labels;
 }
 
-export type ReadAnswer = { file: OpenedFile } | { message: string };
+export type ReadAnswer = { file: OpenedFile } | { code: string; message: string };
 
 /**
  * Reads a surface in a worker of its own, which the bytes are handed over to. The worker ends with the file: parsing
@@ -21,7 +21,7 @@ export function readInWorker(name: string, bytes: Uint8Array<ArrayBuffer>): Prom
   const worker = new Worker(new URL('./read.worker.ts', import.meta.url), { type: 'module' });
   const answer = new Promise<OpenedFile>((resolve, reject) => {
     worker.onmessage = ({ data }: MessageEvent<ReadAnswer>) =>
-      'file' in data ? resolve(data.file) : reject(new Error(data.message));
+      'file' in data ? resolve(data.file) : reject(Object.assign(new Error(data.message), { code: data.code }));
     worker.onerror = ({ message }) => reject(new Error(message || 'The reader could not be started.'));
   });
   worker.postMessage({ name, bytes }, [bytes.buffer]);

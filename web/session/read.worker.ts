@@ -1,4 +1,5 @@
 import { readSurface } from '../formats/read.ts';
+import { codeOf, messageOf } from './failure.ts';
 import type { OpenedFile, ReadAnswer } from './read.ts';
 
 addEventListener('message', async ({ data }: MessageEvent<{ name: string; bytes: Uint8Array }>) => {
@@ -7,7 +8,7 @@ addEventListener('message', async ({ data }: MessageEvent<{ name: string; bytes:
     const file = { mesh, locked, notes, labels: { units, componentNames } };
     postMessage({ file } satisfies ReadAnswer, { transfer: buffersOf(file) });
   } catch (error) {
-    postMessage({ message: error instanceof Error ? error.message : String(error) } satisfies ReadAnswer);
+    postMessage({ code: codeOf(error), message: messageOf(error) } satisfies ReadAnswer);
   }
 });
 

@@ -1,18 +1,27 @@
 import type { Inspection, Mesh, ReduceOptions, Reduction, VariableExtent } from '../../wasm/index.ts';
 import type { Labels } from '../formats/surface.ts';
-import { asBounds, type BoundSetting, type BoundSettings, defaultBounds, moveAll } from './bound-setting.ts';
-import { messageOf, nonFiniteVariable } from './failure.ts';
+import { listed } from '../formats/wording.ts';
+import {
+  asBounds,
+  type BoundSetting,
+  type BoundSettings,
+  defaultBounds,
+  moveAll,
+  settingsFrom,
+} from './bound-setting.ts';
+import type { Bounds } from './bound-text.ts';
+import { codeOf, messageOf, nonFiniteVariable } from './failure.ts';
 import { Latest, superseded } from './latest.ts';
 import { oddityNotes } from './oddity-notes.ts';
 import type { OpenedFile } from './read.ts';
-import type { Sample, Services } from './services.ts';
+import type { Services } from './services.ts';
 
 /** Where a surface comes from. */
 interface Source {
-  /** For people: the name of the file, the title of the sample. */
+  /** For people: the name of the file. */
   name: string;
-  /** Name of the sample that it is; null for a file. */
-  sample: string | null;
+  /** The address that it was loaded from; null for a file of the user. */
+  address: string | null;
 }
 
 /** A surface that passed validation. */
@@ -34,6 +43,8 @@ export interface Notice {
   id: number;
   kind: 'error' | 'note';
   text: string;
+  /** Of an error: what is wrong, for programs. */
+  code?: string;
   /** It is not about the file, and stays when another one is opened. */
   lasting?: boolean;
   /** It is about the last reduction, and goes when the next one starts. */
@@ -82,6 +93,7 @@ export class Session extends EventTarget {
   #reducing = new Latest();
   #timer: ReturnType<typeof setTimeout> | undefined;
   #lastNotice = 0;
+  #wanted: Bounds | null = null;
   #state = emptyState;
 
   constructor(services: Services) {
@@ -95,12 +107,18 @@ export class Session extends EventTarget {
 
   openFile(file: File): Promise<void> {
     const load = async () => this.#services.read(file.name, new Uint8Array(await file.arrayBuffer()));
-    return this.#open({ name: file.name, sample: null }, load);
+    return this.#open({ name: file.name, address: null }, load);
   }
 
-  openSample({ name, title, url }: Sample): Promise<void> {
-    const load = async () => this.#services.read(url, await this.#services.fetchBytes(url));
-    return this.#open({ name: title, sample: name }, load);
+  openAddress(address: string): Promise<void> {
+    const load = async () => this.#services.read(address, await this.#services.fetchBytes(address));
+    return this.#open({ name: nameIn(address), address }, load);
+  }
+
+  /** Bounds for the surface that is open and for all that are opened after it; null for those that surfaces begin with. */
+  wantBounds(bounds: Bounds | null): void {
+    this.#wanted = bounds;
+    if (this.#state.surface) this.#setBounds(this.#firstBounds(this.#state.surface.variables));
   }
 
   setBound(variable: string, setting: BoundSetting): void {
@@ -136,7 +154,7 @@ export class Session extends EventTarget {
 
   /** Tells the user of a fault; a lasting one is not about the file that is open. */
   report(error: unknown, { lasting = false } = {}): void {
-    this.#notify({ kind: 'error', text: messageOf(error), lasting });
+    this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), lasting });
   }
 
   dismiss(id: number): void {
@@ -161,22 +179,35 @@ export class Session extends EventTarget {
   #adopt(source: Source, { mesh, labels, notes, locked }: OpenedFile, { variables, oddities }: Inspection): void {
     this.#reducing.abort();
     const surface = { ...source, mesh, labels, variables, locked };
-    const bounds = defaultBounds(variables.map((variable) => variable.name));
+    const bounds = this.#firstBounds(variables);
     this.#update({ opening: null, surface, bounds, progress: 0, cancelled: false, result: null });
     for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
     void this.#reduce();
+  }
+
+  /** What is wanted, as far as there are such variables. */
+  #firstBounds(variables: VariableExtent[]): BoundSettings {
+    const names = variables.map(({ name }) => name);
+    if (!this.#wanted) return defaultBounds(names);
+    const missing = Object.keys(this.#wanted).filter((name) => name !== '*' && !names.includes(name));
+    if (missing.length > 0) {
+      const text = `There is no variable ${listed(missing)} to bound; the variables are ${listed(names)}.`;
+      this.#notify({ kind: 'error', code: 'unknown_variable', text });
+    }
+    return settingsFrom(this.#wanted, variables);
   }
 
   /** Says why a file was not opened. A variable that holds no numbers need not stop the rest: leaving it out is offered. */
   #refuse(source: Source, file: OpenedFile | undefined, error: unknown): void {
     const text = `${source.name}: ${messageOf(error)}`;
     const variable = nonFiniteVariable(error);
+    const code = codeOf(error);
     if (!file || variable === undefined) {
-      this.#notify({ kind: 'error', text });
+      this.#notify({ kind: 'error', code, text });
       return;
     }
     const take = () => void this.#open(source, async () => withoutVariable(file, variable));
-    this.#notify({ kind: 'error', text, remedy: { label: `Leave out “${variable}”`, take } });
+    this.#notify({ kind: 'error', code, text, remedy: { label: `Leave out “${variable}”`, take } });
   }
 
   #setBounds(bounds: BoundSettings): void {
@@ -202,7 +233,7 @@ export class Session extends EventTarget {
       if (result !== superseded) this.#update({ result, progress: null });
     } catch (error) {
       this.#update({ progress: null });
-      this.#notify({ kind: 'error', text: messageOf(error), ofReduction: true });
+      this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), ofReduction: true });
     }
   }
 
@@ -213,6 +244,17 @@ export class Session extends EventTarget {
 
   #notify(notice: Omit<Notice, 'id'>): void {
     this.#update({ notices: [...this.#state.notices, { ...notice, id: ++this.#lastNotice }] });
+  }
+}
+
+/** What the file at an address is called. */
+function nameIn(address: string): string {
+  const path = address.replace(/[?#].*$/s, '');
+  const name = path.slice(path.lastIndexOf('/') + 1);
+  try {
+    return decodeURIComponent(name) || address;
+  } catch {
+    return name;
   }
 }
 
