@@ -1,20 +1,23 @@
 #!/usr/bin/env bash
 # Installs what is missing, and nothing else, so that running it again costs nothing:
 #
-#     .ci/setup.sh [start|test]
+#     .ci/setup.sh [start|test|bench]
 #
-# start: what building and serving the page needs. test (the default): what the tests and linters need as well.
+# start: what building and serving the page needs. test (the default): what the tests and linters need as well. bench: what
+# the benchmark needs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 to_start=(g++ cmake ninja-build libglm-dev emscripten)
 to_test=(libgtest-dev libgmock-dev chromium clang libclang-rt-dev clang-format clang-tidy python3-vtk9 python3-numpy
     valgrind)
+to_bench=(libbenchmark-dev python3-vtk9 python3-numpy)
 
 packages=("${to_start[@]}")
-if [ "${1:-test}" != start ]; then
-    packages+=("${to_test[@]}")
-fi
+case "${1:-test}" in
+    test) packages+=("${to_test[@]}") ;;
+    bench) packages+=("${to_bench[@]}") ;;
+esac
 
 installed() {
     [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]

@@ -9,10 +9,10 @@
  * usual; what was found is kept in build/peers-cache. MESHBOUND_DATA names a folder of further surfaces (PLY). The tables
  * go to standard output and, as they grow, to the file, in place of what it has below the line that says so.
  */
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { parseArgs } from 'node:util';
 
+import { writeBelow } from '../write-below.ts';
 import { bestOfPeer } from './best-of-peer.ts';
 import { meshoptimizer } from './meshoptimizer.ts';
 import { buildNative, hair, Judge, ratio } from './native.ts';
@@ -102,12 +102,6 @@ function head(): string {
   return `Measured on ${date} with ${tools}, Node ${process.versions.node}; ${cpus().length} × ${cpus()[0].model}; ${searched}.`;
 }
 
-/** Keeps what the file says above the marker. */
-function write(path: string, text: string): void {
-  const before = existsSync(path) ? readFileSync(path, 'utf8').split(marker)[0] : '';
-  writeFileSync(path, `${before}${marker}\n\n${text}\n`);
-}
-
 const { values: options } = parseArgs({
   options: {
     quick: { type: 'boolean', default: false },
@@ -128,7 +122,7 @@ const rows: Row[] = [];
 for (const surface of surfaces) {
   rows.push(...(await compare(surface)));
   // After every surface: a long comparison can be looked at, or ended, on its way.
-  if (options.out) write(options.out, `${head()}\n\n${tables(rows)}`);
+  if (options.out) writeBelow(options.out, marker, `${head()}\n\n${tables(rows)}`);
 }
 console.log(`${head()}\n\n${tables(rows)}`);
 for (const row of rows.filter(({ tracked, propagated }) => Math.max(ratio(tracked), ratio(propagated)) > 1 + hair)) {

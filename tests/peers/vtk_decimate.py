@@ -48,33 +48,41 @@ def write_ply(path, rows, triangles):
 
 
 def poly_data(rows, triangles):
-    """Position as points, every other column as a component of the scalars."""
+    """Position as points, every other column, where there is one, as a component of the scalars."""
     points = vtkPoints()
     points.SetData(numpy_to_vtk(numpy.ascontiguousarray(rows[:, :3]), deep=True))
     cells = vtkCellArray()
     counted = numpy.hstack([numpy.full((len(triangles), 1), 3), triangles]).ravel()
     cells.SetCells(len(triangles), numpy_to_vtkIdTypeArray(counted, deep=True))
-    scalars = numpy_to_vtk(numpy.ascontiguousarray(rows[:, 3:]), deep=True)
-    scalars.SetName("variables")
     surface = vtkPolyData()
     surface.SetPoints(points)
     surface.SetPolys(cells)
-    surface.GetPointData().SetScalars(scalars)
+    if rows.shape[1] > 3:
+        scalars = numpy_to_vtk(numpy.ascontiguousarray(rows[:, 3:]), deep=True)
+        scalars.SetName("variables")
+        surface.GetPointData().SetScalars(scalars)
     return surface
 
 
-def decimate(rows, triangles, request):
+def prepared_decimation(rows, triangles, request):
+    """The filter that a request asks for, not yet run, and the scales of the columns."""
     scales = numpy.array([request["scales"][0]] * 3 + request["scales"][1:])
     scaled = rows * scales
     decimation = vtkQuadricDecimation()
     decimation.SetInputData(poly_data(scaled, triangles))
     decimation.SetTargetReduction(1 - request["triangles"] / len(triangles))
     decimation.SetVolumePreservation(request["volume"])
-    decimation.AttributeErrorMetricOn()
+    decimation.SetAttributeErrorMetric(rows.shape[1] > 3)
     for attribute in ("Vectors", "Normals", "TCoords", "Tensors"):
         getattr(decimation, f"Set{attribute}Attribute")(False)
     # VTK divides the scalars by the largest range of a component; this weight takes that back, so that the scales hold.
-    decimation.SetScalarsWeight(float(numpy.ptp(scaled[:, 3:], axis=0).max()))
+    if rows.shape[1] > 3:
+        decimation.SetScalarsWeight(float(numpy.ptp(scaled[:, 3:], axis=0).max()))
+    return decimation, scales
+
+
+def decimate(rows, triangles, request):
+    decimation, scales = prepared_decimation(rows, triangles, request)
     decimation.Update()
     output = decimation.GetOutput()
     corners = vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3)
@@ -100,4 +108,5 @@ def main():
         print(answer, flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# Measures the speed beside other tools (tests/bench/bench.ts; docs/speed.md has a table): npm run bench -- --quick
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+.ci/setup.sh bench
+.ci/build.sh
+exec node_modules/.bin/tsx tests/bench/bench.ts "$@"
