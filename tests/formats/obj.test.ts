@@ -30,6 +30,11 @@ describe('OBJ', () => {
     expect(notes).toEqual(['1 face with more than three corners split into triangles.']);
   });
 
+  it('reads a line that goes on a hundred thousand times', async () => {
+    const { mesh } = await read(`${points}f 1 \\\n${'\\\n'.repeat(100_000)}2 3\n`);
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2]);
+  });
+
   it('keeps the order of the points, and colours as they are', async () => {
     const { mesh } = await read('v 0 0 0 0.5 0.25 1\nv 1 0 0 1 1 1\nv 1 1 0 0 0 0\nvt 0 0\nvt 1 1\nf 3/1 1/2 2/1\n');
     expect(mesh.position).toEqual(Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0));

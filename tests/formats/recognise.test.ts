@@ -3,7 +3,7 @@ import { formatByEnding } from '../../web/formats/format-names.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import { writeSurface } from '../../web/formats/write.ts';
 import { expectFault } from './faults.ts';
-import { smallMesh } from './sample-mesh.ts';
+import { bytesOf, smallMesh } from './sample-mesh.ts';
 
 describe('a file', () => {
   it('is read by its content, and its misleading name is mentioned', async () => {
@@ -13,6 +13,18 @@ describe('a file', () => {
     expect((await readSurface('mesh.vtp', ply)).summary).toContain('the content is PLY');
     const vtp = await writeSurface('vtp', smallMesh());
     expect((await readSurface('mesh.ply', vtp)).summary).toContain('the content is VTP');
+  });
+
+  it('is recognised behind comments, however long', async () => {
+    const text = new TextDecoder('latin1').decode(await writeSurface('vtp', smallMesh()));
+    const commented = text.replace('?>', `?>\n<!-- ${'not - yet > '.repeat(60)} --><!---->\n`);
+    expect(await readSurface('file', bytesOf(commented))).toMatchObject({ format: 'vtp' });
+    const obj = `# ${'remark '.repeat(200)}\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n`;
+    expect(await readSurface('file', bytesOf(obj))).toMatchObject({ format: 'obj' });
+  });
+
+  it('made of comments that lead to nothing is refused, and at once', async () => {
+    await expectFault(`${'<!---->'.repeat(500)}<x`, 'not_a_mesh');
   });
 
   it('is named after its format by the ending that is known', () => {

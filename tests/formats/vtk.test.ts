@@ -59,7 +59,11 @@ describe('legacy VTK attributes', () => {
   it('are read past colour maps and colours', async () => {
     const text =
       'SCALARS a float 1\nLOOKUP_TABLE map\n1 2 3\nLOOKUP_TABLE map 2\n0 0 0 1\n1 1 1 1\nCOLOR_SCALARS c 2\n0 .5 1 0 0 1\n';
-    expect((await read(text)).variables).toEqual(['a 1 2 3', 'c 0 0.5 1 0 0 1']);
+    const { variables, summary } = await read(text);
+    // Colours as VTK holds them.
+    expect(variables).toEqual(['a 1 2 3', 'c 0 128 255 0 0 255']);
+    expect(summary).toContain('Not carried: colour maps “map”.');
+    expect(summary).toContain('Whole numbers in the file, floating point from here on: “c”.');
   });
 
   it('are left out by name if they belong to cells or are text', async () => {

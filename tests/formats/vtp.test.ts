@@ -119,9 +119,18 @@ describe('VTP types', () => {
     expect((await read(file)).summary).toContain('Rounded, being beyond 2^53: values of “p”');
   });
 
+  it('that are bits are read, packed or not', async () => {
+    const asText = piece({ p: '<DataArray type="Bit" Name="p" format="ascii">1 0 1</DataArray>' });
+    const packed = btoa(String.fromCharCode(1, 0, 0, 0, 0b10100000));
+    const asBytes = piece({ p: `<DataArray type="Bit" Name="p" format="binary">${packed}</DataArray>` });
+    for (const text of [asText, asBytes]) {
+      expect((await read(vtp(text))).mesh.variables[0].values).toEqual(Float32Array.of(1, 0, 1));
+    }
+  });
+
   it('that are not numbers are refused or left out by name', async () => {
-    const bit = vtp(piece({ p: '<DataArray type="Bit" Name="p" format="ascii">1 0 1</DataArray>' }));
-    await expectFault(bit, 'unsupported_feature', '“p”', '“Bit”');
+    const quad = vtp(piece({ p: '<DataArray type="Float128" Name="p" format="ascii">1 0 1</DataArray>' }));
+    await expectFault(quad, 'unsupported_feature', '“p”', '“Float128”');
     const text = vtp(piece({ p: '<Array type="String" Name="label" format="ascii">65 0</Array>' }));
     expect((await read(text)).summary).toContain('text arrays “label”');
   });

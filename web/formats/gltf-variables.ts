@@ -78,7 +78,9 @@ export function namedAttributes(
       throw new FormatError('count_mismatch', message, where);
     }
     const part = { extras, size: accessor.getElementSize(), values: numbersOf(accessor) };
-    parts.set(name, [...(parts.get(name) ?? []), part]);
+    const others = parts.get(name);
+    if (others) others.push(part);
+    else parts.set(name, [part]);
   }
   return { attributes: [...parts].map(([name, list]) => assemble(name, list, where)), lost };
 }
@@ -106,8 +108,8 @@ function assemble(name: string, parts: Part[], where: string): GltfAttribute {
   const [first] = parts;
   const { unit, componentNames } = first.extras;
   if (parts.length === 1) return { name, components: first.size, values: first.values, unit, componentNames };
-  const sorted = parts.map((_, index) => parts.find(({ extras, size }) => size === 1 && extras.component === index));
-  const complete = sorted.filter((part) => part !== undefined);
+  const byComponent = new Map(parts.filter(({ size }) => size === 1).map((part) => [part.extras.component, part]));
+  const complete = parts.flatMap((_, index) => byComponent.get(index) ?? []);
   if (complete.length < parts.length) {
     throw new FormatError('duplicate_name', `The ${where} has two attributes named ${quoted(name)}.`, where);
   }
@@ -124,9 +126,10 @@ function assemble(name: string, parts: Part[], where: string): GltfAttribute {
 export function joinAttributes(parts: GltfAttribute[][], notes: string[]): { variables: Variable[]; labels: Labels } {
   const labels = noLabels();
   const partial = new Set(parts.flatMap((part) => part.map(({ name }) => name)));
+  const attributesOf = parts.map((part) => new Map(part.map((attribute) => [attribute.name, attribute])));
   const variables = parts[0].flatMap(({ name, components, unit, componentNames }): Variable[] => {
-    const matching = parts.map((part) => part.find((other) => other.name === name && other.components === components));
-    const found = matching.filter((attribute) => attribute !== undefined);
+    const matching = attributesOf.flatMap((attributes) => attributes.get(name) ?? []);
+    const found = matching.filter((other) => other.components === components);
     if (found.length < parts.length) return [];
     partial.delete(name);
     if (unit) labels.units[name] = unit;

@@ -1,6 +1,6 @@
 import { AsciiNumbers } from './ascii-numbers.ts';
 import { FormatError } from './format-error.ts';
-import { fromBytes, roomFor, sizeOf, type VtkType, type VtkValues } from './vtk-values.ts';
+import { byteLength, fromBytes, roomFor, type VtkType, type VtkValues } from './vtk-values.ts';
 import { grouped, quoted } from './wording.ts';
 
 const newLine = 10;
@@ -61,7 +61,7 @@ export class LegacyVtkText {
   /** As many numbers; throws if they cannot be in what is left of the file. `where` names their array. */
   numbers(type: VtkType, count: number, where: string): VtkValues {
     return this.binary
-      ? fromBytes(this.block(count * sizeOf(type), where), type, false)
+      ? fromBytes(this.block(byteLength(type, count), where), type, count, false)
       : this.text(type, count, where);
   }
 

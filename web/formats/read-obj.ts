@@ -128,14 +128,12 @@ export function readObj(bytes: Uint8Array): Surface {
 
 /** Lines put together where a backslash says that one goes on. */
 function* wholeLines(bytes: Uint8Array): Generator<TextLine> {
-  let begun: string[] = [];
+  const begun: string[][] = [];
   for (const { words, number } of textLines(bytes)) {
     const last = words[words.length - 1];
     const goesOn = last.endsWith('\\');
-    const whole = goesOn ? [...words.slice(0, -1), last.slice(0, -1)].filter(Boolean) : words;
-    begun = begun.length > 0 ? begun.concat(whole) : whole;
-    if (!goesOn) yield { words: begun, number };
-    if (!goesOn) begun = [];
+    if (goesOn || begun.length > 0) begun.push(goesOn ? words.with(-1, last.slice(0, -1)) : words);
+    if (!goesOn) yield { words: begun.length > 0 ? begun.splice(0).flat().filter(Boolean) : words, number };
   }
   if (begun.length > 0) throw new FormatError('truncated', 'The file ends in a line that should go on.');
 }

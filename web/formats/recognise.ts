@@ -3,7 +3,10 @@ import { formatNames } from './format-names.ts';
 import type { Format } from './surface.ts';
 
 /** How files begin. What no reader takes is here too, so that the message can name it. */
-const headBytes = 512;
+const headBytes = 4096;
+
+/** What may stand before the first element of an XML document; one way to read each letter, so that no text takes long. */
+const prolog = String.raw`(?:\s|<\?(?:[^?]|\?(?!>))*\?>|<!--(?:[^-]|-(?!->))*-->)*(?:<!DOCTYPE[\s\S]*)?`;
 
 interface Signature {
   begins: RegExp | string;
@@ -14,11 +17,7 @@ interface Signature {
 
 const signatures: Signature[] = [
   { begins: /^ply[ \t]*[\r\n]/, format: 'ply', called: 'PLY' },
-  {
-    begins: /^(\xEF\xBB\xBF)?\s*(<\?xml[\s\S]*?\?>\s*)?(<!--[\s\S]*?-->\s*)*(<!DOCTYPE[\s\S]*)?<VTKFile\b/,
-    format: 'vtp',
-    called: 'VTK XML',
-  },
+  { begins: new RegExp(`^(?:\\xEF\\xBB\\xBF)?${prolog}<VTKFile\\b`), format: 'vtp', called: 'VTK XML' },
   { begins: /^# vtk DataFile/i, format: 'vtk', called: 'legacy VTK' },
   { begins: 'glTF', format: 'glb', called: 'GLB' },
   { begins: /^\s*solid\b[\s\S]*\b(facet|endsolid)\b/, format: 'stl', called: 'STL' },

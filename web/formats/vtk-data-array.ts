@@ -2,7 +2,7 @@ import { unzlibSync } from 'fflate';
 import { AsciiNumbers } from './ascii-numbers.ts';
 import { Base64Bytes, type ByteStream, RawBytes } from './byte-streams.ts';
 import { FormatError } from './format-error.ts';
-import { fromBytes, isFloat, isVtkType, roomFor, sizeOf, type VtkType, type VtkValues } from './vtk-values.ts';
+import { byteLength, fromBytes, isFloat, isVtkType, roomFor, type VtkType, type VtkValues } from './vtk-values.ts';
 import { counted, grouped, quoted } from './wording.ts';
 import type { XmlNode } from './xml-tree.ts';
 
@@ -33,7 +33,8 @@ export function readDataArray(node: XmlNode, count: number, packing: VtkPacking,
     throw new FormatError('unsupported_feature', message, where);
   }
   if (format === 'ascii') return readAscii(node.text, count, type, where);
-  return fromBytes(readBytes(node, count * sizeOf(type), packing, where), type, packing.littleEndian);
+  const bytes = readBytes(node, byteLength(type, count), packing, where);
+  return fromBytes(bytes, type, count, packing.littleEndian);
 }
 
 function readAscii(text: string, count: number, type: VtkType, where: string): VtkValues {

@@ -49,12 +49,13 @@ function checkNames({ arrays, prefix }: Piece): void {
 }
 
 function joinArrays(pieces: Piece[], notes: string[]): Variable[] {
+  const arraysOf = pieces.map(({ arrays }) => new Map(arrays.map((array) => [array.name, array])));
   const matching = ({ name, components }: PointArray) =>
-    pieces.map(({ arrays }) => arrays.find((array) => array.name === name && array.components === components));
+    arraysOf.flatMap((arrays) => arrays.get(name) ?? []).filter((array) => array.components === components);
   const lost = new Set(pieces.flatMap(({ arrays }) => arrays.map((array) => array.name)));
   const integers: string[] = [];
   const variables = pieces[0].arrays.flatMap((array): Variable[] => {
-    const parts = matching(array).filter((part) => part !== undefined);
+    const parts = matching(array);
     if (parts.length < pieces.length) return [];
     lost.delete(array.name);
     if (parts.every((part) => part.integers)) integers.push(array.name);
@@ -62,7 +63,8 @@ function joinArrays(pieces: Piece[], notes: string[]): Variable[] {
   });
   if (lost.size > 0) notes.push(`Not carried, since not every piece has them: the arrays ${listed([...lost])}.`);
   if (integers.length > 0) notes.push(`Whole numbers in the file, floating point from here on: ${listed(integers)}.`);
-  const rounded = variables.filter(({ name, values }) => integers.includes(name) && values.some(isBeyondDoubles));
+  const wholeNumbers = new Set(integers);
+  const rounded = variables.filter(({ name, values }) => wholeNumbers.has(name) && values.some(isBeyondDoubles));
   if (rounded.length > 0)
     notes.push(`Rounded, being beyond 2^53: values of ${listed(rounded.map(({ name }) => name))}.`);
   return variables;

@@ -3,6 +3,7 @@ export type VtkValues = Float32Array | Float64Array;
 
 /** The number types of VTK files, by the names that the XML formats give them. */
 export type VtkType =
+  | 'Bit'
   | 'Int8'
   | 'UInt8'
   | 'Int16'
@@ -14,8 +15,9 @@ export type VtkType =
   | 'Float32'
   | 'Float64';
 
-/** Arrays of the size of each type; 64-bit integers are put together separately. */
+/** Arrays of the size of each type; bits and 64-bit integers are put together separately. */
 const arrays = {
+  Bit: Uint8Array,
   Int8: Int8Array,
   UInt8: Uint8Array,
   Int16: Int16Array,
@@ -36,8 +38,9 @@ export function isFloat(type: VtkType): boolean {
   return type === 'Float32' || type === 'Float64';
 }
 
-export function sizeOf(type: VtkType): number {
-  return arrays[type].BYTES_PER_ELEMENT;
+/** How many bytes so many numbers take. */
+export function byteLength(type: VtkType, count: number): number {
+  return type === 'Bit' ? Math.ceil(count / 8) : count * arrays[type].BYTES_PER_ELEMENT;
 }
 
 /** Room for `count` numbers that come as text. */
@@ -46,11 +49,22 @@ export function roomFor(type: VtkType, count: number): VtkValues {
 }
 
 /** Binary numbers; the bytes are put into this machine's order in place (little-endian wherever JavaScript runs today). */
-export function fromBytes(bytes: Uint8Array<ArrayBuffer>, type: VtkType, littleEndian: boolean): VtkValues {
-  if (!littleEndian) reverseEach(bytes, sizeOf(type));
+export function fromBytes(
+  bytes: Uint8Array<ArrayBuffer>,
+  type: VtkType,
+  count: number,
+  littleEndian: boolean,
+): VtkValues {
+  if (type === 'Bit') return unpackedBits(bytes, count);
+  if (!littleEndian) reverseEach(bytes, arrays[type].BYTES_PER_ELEMENT);
   if (type === 'Int64' || type === 'UInt64') return wideIntegers(bytes, type === 'Int64');
   const values = new arrays[type](bytes.buffer);
   return values instanceof Float32Array || values instanceof Float64Array ? values : new Float64Array(values);
+}
+
+/** The highest bit of a byte comes first. */
+function unpackedBits(bytes: Uint8Array, count: number): Float64Array {
+  return Float64Array.from({ length: count }, (_, bit) => (bytes[bit >> 3] >> (7 - (bit & 7))) & 1);
 }
 
 /** 64-bit integers as the nearest doubles, by halves: BigInt would take many times as long. */
