@@ -18,6 +18,7 @@ export type ErrorCode =
   | 'bad_bound'
   | 'bound_too_fine'
   | 'bad_option'
+  | 'bad_levels'
   | 'too_large'
   | 'out_of_memory'
   | 'internal'

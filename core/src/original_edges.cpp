@@ -9,9 +9,10 @@ OriginalEdges::OriginalEdges(const Surface& surface)
     const auto half_edges = static_cast<std::uint32_t>(3 * surface.slot_count());
     const auto for_each_inner = [&](auto&& visit) {
         for (std::uint32_t h = 0; h < half_edges; ++h)
-            if (surface.twin(h) != no_index && h < surface.twin(h)) visit(h);
+            if (surface.alive(Surface::triangle_of(h)) && surface.twin(h) != no_index && h < surface.twin(h)) visit(h);
     };
     for (std::uint32_t h = 0; h < half_edges; ++h) {
+        if (!surface.alive(Surface::triangle_of(h))) continue;
         const std::size_t edge = surface.edge(h);
         ends_[2 * edge] = std::min(surface.origin(h), surface.target(h));
         ends_[2 * edge + 1] = std::max(surface.origin(h), surface.target(h));

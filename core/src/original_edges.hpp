@@ -8,7 +8,7 @@
 
 namespace meshbound {
 
-/// The edges of the original surface, named as its Surface names them at the start. Each runs from its lower vertex (s = 0)
+/// The edges of the original surface, named as its Surface names them at the start (of a link: the surface as it is then). Each runs from its lower vertex (s = 0)
 /// to its upper one (s = 1). Only edges between two triangles can cross anything later; boundary and non-manifold edges
 /// run along current edges for ever and are not listed at their vertices.
 class OriginalEdges {

@@ -37,11 +37,12 @@ ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const Oddit
     : mesh_(mesh), options_(options), oddities_(oddities), ticker_(ticker),
       surface_(mesh.triangles, vertex_count(mesh)), non_manifold_vertices_(surface_.count(VertexKind::fixed)) {}
 
-Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span) {
+Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span,
+                                      LevelLink* link) {
     Reduction reduction;
     reduction.report = begin_report(mesh_, bounds, oddities_);
     reduction.report.non_manifold_vertices = non_manifold_vertices_;
-    if (ticker_.ask()) sweep_and_report(bounds, reduction, span);
+    if (ticker_.ask()) sweep_and_report(bounds, reduction, span, link);
     if (ticker_.cancelled()) report_cancelled(reduction);
     reduction.report.triangles_after = reduction.mesh.triangles.size();
     reduction.report.vertices_after = reduction.vertices.size();
@@ -69,30 +70,34 @@ std::vector<double> ReductionRun::limits_of_sweeps(const std::vector<ResolvedBou
 }
 
 void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction,
-                                    const ProgressSpan& span) {
+                                    const ProgressSpan& span, LevelLink* link) {
     set_bounds(bounds);
     if (!ticker_.ask()) return;
     const std::vector<char> candidate = find_candidates(surface_, options_.locked);
-    Sweeper sweeper(surface_, *rows_, *accounting_, candidate);
+    const std::unique_ptr<LinkedTracking> linked =
+        link ? std::make_unique<LinkedTracking>(dynamic_cast<Tracking&>(*accounting_), *rows_, surface_, options_)
+             : nullptr;
+    Sweeper sweeper(surface_, *rows_, linked ? static_cast<Accounting&>(*linked) : *accounting_, candidate);
     const double swept = span.start + sweeping_share * (span.end - span.start);
     const std::vector<double> limits = limits_of_sweeps(bounds);
     reached_ = bounds;
     if (!sweeper.sweep(limits, ticker_, span.start, swept)) return;
     count_refusals(surface_, sweeper, candidate, reduction.report);
-    report_everything(reduction);
+    report_everything(reduction, linked.get(), link);
 }
 
 /// Everything that a finished result tells; incomplete where the ticker cancels.
-void ReductionRun::report_everything(Reduction& reduction) {
+void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link) {
     const Renaming renamed = extract_mesh(mesh_, surface_, reduction);
     extract_errors(surface_, *rows_, *accounting_, reduction, ticker_);
     const auto* tracking = dynamic_cast<const Tracking*>(accounting_.get());
     if (!tracking) return;
     extract_map(surface_, *tracking, renamed.vertex, renamed.triangle, reduction.map, ticker_);
     extract_vertex_errors(*rows_, reduction, reduction.vertex_errors, ticker_);
+    if (linked) linked->extract(renamed.vertex, renamed.triangle, reduction.vertices, *link, ticker_);
     if (!options_.count_folds || ticker_.cancelled()) return;
     Segmentation segmentation;
-    segment(mesh_, reduction, segmentation, [this](double) { return ticker_.ask(); });
+    segment({mesh_, reduction}, segmentation, [this](double) { return ticker_.ask(); });
     reduction.report.cells = segmentation.cells.size();
     reduction.report.folded_cells = segmentation.folded_cells;
 }

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "accounting.hpp"
+#include "linked_tracking.hpp"
+#include "meshbound/levels.hpp"
 #include "meshbound/reduce.hpp"
 #include "rows.hpp"
 #include "surface.hpp"
@@ -24,14 +26,17 @@ public:
     ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities, Ticker& ticker);
 
     /// Removes what these bounds allow, and tells of what is left. Each bound is no lower than in the call before. Where
-    /// the ticker cancels, the result is marked so.
-    Reduction reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span);
+    /// the ticker cancels, the result is marked so. `link`, with tracked errors only: is filled with the map from the
+    /// surface as it was before the call, unless the ticker cancels.
+    Reduction reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span,
+                            LevelLink* link = nullptr);
 
 private:
     void set_bounds(const std::vector<ResolvedBound>& bounds);
     std::vector<double> limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const;
-    void sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction, const ProgressSpan& span);
-    void report_everything(Reduction& reduction);
+    void sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction, const ProgressSpan& span,
+                          LevelLink* link);
+    void report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link);
     void report_cancelled(Reduction& reduction) const;
 
     const Mesh& mesh_;

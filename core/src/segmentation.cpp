@@ -45,22 +45,23 @@ bool repeats_vertex(const glm::uvec3& triangle) {
     return triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x;
 }
 
-bool cut_into_cells(const Mesh& original, const Reduction& reduction, Segmentation& segmentation, Ticker& ticker) {
-    const Faces faces(reduction.mesh.triangles);
-    const Outlines outlines(original, reduction, faces);
+bool cut_into_cells(const MappedSurfaces& surfaces, Segmentation& segmentation, Ticker& ticker) {
+    const std::vector<glm::uvec3>& triangles = surfaces.original.triangles;
+    const Faces faces(surfaces.reduced.triangles);
+    const Outlines outlines(surfaces, faces);
     CellCutter cutter(faces);
     Outline outline;
-    for (std::uint32_t triangle = 0; triangle < original.triangles.size(); ++triangle) {
-        if (repeats_vertex(original.triangles[triangle])) continue;
+    for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle) {
+        if (repeats_vertex(triangles[triangle])) continue;
         outlines.trace(triangle, outline);
         cutter.cut(triangle, outline, segmentation);
-        if (!ticker.tick(1, 0.5 * triangle / static_cast<double>(original.triangles.size()))) return false;
+        if (!ticker.tick(1, 0.5 * triangle / static_cast<double>(triangles.size()))) return false;
     }
     return true;
 }
 
 /// Triangulates all cells and adds up what is folded.
-bool cut_into_pieces(const Mesh& original, const Reduction& reduction, Segmentation& segmentation, Ticker& ticker) {
+bool cut_into_pieces(const MappedSurfaces& surfaces, Segmentation& segmentation, Ticker& ticker) {
     CellTriangulation triangulation;
     std::vector<CellPlace> places;
     double folded_original = 0, folded_reduced = 0;
@@ -69,56 +70,53 @@ bool cut_into_pieces(const Mesh& original, const Reduction& reduction, Segmentat
         const std::uint32_t* corners = &segmentation.corners[cell.first_corner];
         places.clear();
         for (std::uint32_t i = 0; i < cell.corner_count; ++i)
-            places.push_back({place_in_original(original, reduction, cell, corners[i]),
-                              place_in_reduced(reduction, cell, corners[i])});
+            places.push_back(
+                {place_in_original(surfaces, cell, corners[i]), place_in_reduced(surfaces, cell, corners[i])});
         const std::size_t folded_before = segmentation.folded_pieces;
         triangulation.for_each_piece(places, [&](std::size_t i, std::size_t j, std::size_t k) {
             segmentation.pieces.push_back({corners[i], corners[j], corners[k]});
             const PieceShares shares = piece_shares(places[i], places[j], places[k]);
             if (!shares.folded()) return;
             ++segmentation.folded_pieces;
-            folded_original += shares.original * area(original, original.triangles[cell.original]);
-            folded_reduced -= shares.reduced * area(reduction.mesh, reduction.mesh.triangles[cell.reduced]);
+            folded_original += shares.original * area(surfaces.original, surfaces.original.triangles[cell.original]);
+            folded_reduced -= shares.reduced * area(surfaces.reduced, surfaces.reduced.triangles[cell.reduced]);
         });
         if (segmentation.folded_pieces > folded_before) ++segmentation.folded_cells;
         const auto done = static_cast<double>(cell.first_corner) / static_cast<double>(segmentation.corners.size());
         if (!ticker.tick(1, 0.5 + 0.5 * done)) return false;
     }
-    if (folded_original > 0) segmentation.folded_original = folded_original / area(original);
-    if (folded_reduced > 0) segmentation.folded_reduced = folded_reduced / area(reduction.mesh);
+    if (folded_original > 0) segmentation.folded_original = folded_original / area(surfaces.original);
+    if (folded_reduced > 0) segmentation.folded_reduced = folded_reduced / area(surfaces.reduced);
     return true;
 }
 
 } // namespace
 
-glm::dvec3 place_in_original(const Mesh& original, const Reduction& reduction, const SegmentationCell& cell,
-                             std::uint32_t corner) {
-    const glm::uvec3& triangle = original.triangles[cell.original];
-    const std::size_t vertices = reduction.map.places.size();
+glm::dvec3 place_in_original(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner) {
+    const glm::uvec3& triangle = surfaces.original.triangles[cell.original];
+    const std::size_t vertices = surfaces.map.places.size();
     if (corner < vertices) return place_at_vertex(triangle, corner);
-    const MapCrossing& crossing = reduction.map.crossings[corner - vertices];
+    const MapCrossing& crossing = surfaces.map.crossings[corner - vertices];
     return place_on_edge(triangle, crossing.original, crossing.s);
 }
 
-glm::dvec3 place_in_reduced(const Reduction& reduction, const SegmentationCell& cell, std::uint32_t corner) {
-    const glm::uvec3& triangle = reduction.mesh.triangles[cell.reduced];
-    const std::size_t vertices = reduction.map.places.size();
+glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner) {
+    const glm::uvec3& triangle = surfaces.reduced.triangles[cell.reduced];
+    const std::size_t vertices = surfaces.map.places.size();
     if (corner >= vertices) {
-        const MapCrossing& crossing = reduction.map.crossings[corner - vertices];
+        const MapCrossing& crossing = surfaces.map.crossings[corner - vertices];
         return place_on_edge(triangle, crossing.reduced, crossing.t);
     }
-    const auto kept = std::lower_bound(reduction.vertices.begin(), reduction.vertices.end(), corner);
-    if (kept == reduction.vertices.end() || *kept != corner) return reduction.map.places[corner].barycentric;
-    return place_at_vertex(triangle, static_cast<std::uint32_t>(kept - reduction.vertices.begin()));
+    const auto kept = std::lower_bound(surfaces.vertices.begin(), surfaces.vertices.end(), corner);
+    if (kept == surfaces.vertices.end() || *kept != corner) return surfaces.map.places[corner].barycentric;
+    return place_at_vertex(triangle, static_cast<std::uint32_t>(kept - surfaces.vertices.begin()));
 }
 
-void segment(const Mesh& original, const Reduction& reduction, Segmentation& segmentation, const Progress& progress) {
+void segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
     segmentation = {};
-    if (reduction.map.places.empty()) return;
+    if (surfaces.map.places.empty()) return;
     Ticker ticker(progress);
-    if (cut_into_cells(original, reduction, segmentation, ticker) &&
-        cut_into_pieces(original, reduction, segmentation, ticker))
-        return;
+    if (cut_into_cells(surfaces, segmentation, ticker) && cut_into_pieces(surfaces, segmentation, ticker)) return;
     segmentation = {};
 }
 

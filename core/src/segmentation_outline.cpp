@@ -9,10 +9,10 @@ std::uint64_t edge_key(std::uint32_t lower, std::uint32_t upper) { return std::u
 
 } // namespace
 
-Outlines::Outlines(const Mesh& original, const Reduction& reduction, const Faces& reduced_faces)
-    : original_(&original), map_(&reduction.map), faces_(&reduced_faces),
-      kept_as_(reduction.map.places.size(), nowhere) {
-    for (std::uint32_t v = 0; v < reduction.vertices.size(); ++v) kept_as_[reduction.vertices[v]] = v;
+Outlines::Outlines(const MappedSurfaces& surfaces, const Faces& reduced_faces)
+    : original_(&surfaces.original), map_(&surfaces.map), faces_(&reduced_faces),
+      kept_as_(surfaces.map.places.size(), nowhere) {
+    for (std::uint32_t v = 0; v < surfaces.vertices.size(); ++v) kept_as_[surfaces.vertices[v]] = v;
     crossings_.reserve(map_->crossings.size());
     for (std::uint32_t n = 0; n < map_->crossings.size(); ++n) {
         const glm::uvec2 edge = map_->crossings[n].original;

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "meshbound/reduce.hpp"
+#include "meshbound/mapped_surfaces.hpp"
 #include "segmentation_faces.hpp"
 
 namespace meshbound {
@@ -29,7 +29,7 @@ using Outline = std::vector<OutlineStep>;
 /// Traces the outlines of original triangles.
 class Outlines {
 public:
-    Outlines(const Mesh& original, const Reduction& reduction, const Faces& reduced_faces);
+    Outlines(const MappedSurfaces& surfaces, const Faces& reduced_faces);
 
     /// The steps of a triangle's outline, counter-clockwise, from its first corner.
     void trace(std::uint32_t triangle, Outline& outline) const;

@@ -48,7 +48,7 @@ class Segmented {
 public:
     Segmented(const Mesh& mesh, const Bounds& bounds, const Options& options)
         : mesh_(mesh), reduction_(promise::reduced(mesh, bounds, options)) {
-        segment(mesh_, reduction_, segmentation_);
+        segment({mesh_, reduction_}, segmentation_);
     }
 
     const Reduction& reduction() const { return reduction_; }
@@ -223,10 +223,10 @@ private:
         return std::binary_search(reduction_.vertices.begin(), reduction_.vertices.end(), vertex);
     }
     glm::dvec3 in_original(const SegmentationCell& cell, std::uint32_t corner) const {
-        return place_in_original(mesh_, reduction_, cell, corner);
+        return place_in_original({mesh_, reduction_}, cell, corner);
     }
     glm::dvec3 in_reduced(const SegmentationCell& cell, std::uint32_t corner) const {
-        return place_in_reduced(reduction_, cell, corner);
+        return place_in_reduced({mesh_, reduction_}, cell, corner);
     }
     static std::string name(const SegmentationCell& cell, std::uint32_t corner) {
         return "corner " + std::to_string(corner) + " of triangle " + std::to_string(cell.original);

@@ -3,8 +3,11 @@
 /// Meshbound: error-bounded reduction of triangle meshes that carry data. Include this, or the one header that you need.
 
 #include "meshbound/bounds.hpp"
+#include "meshbound/levels.hpp"
 #include "meshbound/map.hpp"
+#include "meshbound/mapped_surfaces.hpp"
 #include "meshbound/mesh.hpp"
+#include "meshbound/morph.hpp"
 #include "meshbound/options.hpp"
 #include "meshbound/reduce.hpp"
 #include "meshbound/report.hpp"

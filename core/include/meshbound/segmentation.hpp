@@ -6,8 +6,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "meshbound/mesh.hpp"
-#include "meshbound/reduce.hpp"
+#include "meshbound/mapped_surfaces.hpp"
+#include "meshbound/options.hpp"
 
 namespace meshbound {
 
@@ -26,7 +26,7 @@ struct SegmentationCell {
 /// among them, are linear on both surfaces. What is interpolated between levels of detail (§4).
 ///
 /// A corner is named by one number: below V = vertex_count(original) it is that vertex of the original, at its place
-/// `reduction.map.places[corner]`; from there on it is `reduction.map.crossings[corner - V]`. So a corner has one place
+/// `map.places[corner]`; from there on it is `map.crossings[corner - V]`. So a corner has one place
 /// on the original and one on the reduced surface, whatever cell one sees it from: neighbouring cells leave no crack.
 ///
 ///     a square, original triangles {0,1,2} and {0,2,3}; the reduced mesh has the other diagonal, which 0-2 crosses once:
@@ -51,17 +51,16 @@ struct Segmentation {
 /// Below this share of its triangle's area a piece is flat: rounding decides on which side of it is up.
 inline constexpr double flat_share = 1e-12;
 
-/// Segments both surfaces by the map of `reduction`, the outcome of reducing `original` with tracked errors. Of any
-/// other reduction, which has no map, the segmentation is empty, and so it is when `progress` cancels. Throws
-/// std::bad_alloc where memory runs out.
-void segment(const Mesh& original, const Reduction& reduction, Segmentation& segmentation,
-             const Progress& progress = {});
+/// Segments both surfaces by the map between them. Where there is none, after a reduction with propagated errors, the
+/// segmentation is empty, and so it is when `progress` cancels. Throws std::bad_alloc where memory runs out.
+///
+///     segment({mesh, reduction}, segmentation);
+void segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress = {});
 
 /// Barycentric coordinates of a corner of the cell in the cell's original triangle.
-glm::dvec3 place_in_original(const Mesh& original, const Reduction& reduction, const SegmentationCell& cell,
-                             std::uint32_t corner);
+glm::dvec3 place_in_original(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner);
 
 /// Barycentric coordinates of a corner of the cell in the cell's reduced triangle.
-glm::dvec3 place_in_reduced(const Reduction& reduction, const SegmentationCell& cell, std::uint32_t corner);
+glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner);
 
 } // namespace meshbound

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meshbound/bounds.hpp"
+#include "meshbound/map.hpp"
+#include "meshbound/mesh.hpp"
+#include "meshbound/options.hpp"
+#include "meshbound/reduce.hpp"
+#include "meshbound/status.hpp"
+
+namespace meshbound {
+
+struct LevelOptions {
+    Options reduction;
+    /// Tracked errors only: keep the map from each level onto the next coarser one, to morph between them (see Morph). That
+    /// map keeps the bounds of the coarser level too, which may leave a few more triangles.
+    bool links = false;
+};
+
+/// How a level passes into the next coarser one.
+struct LevelLink {
+    std::vector<std::uint32_t> vertices; ///< for each vertex of the coarser level its index in the finer one, rising
+    SurfaceMap map;                      ///< from the finer level onto the coarser one; its "input" is the finer level
+    /// No point of the finer level lies farther from its image: one value a variable, position first, in its unit.
+    std::vector<double> errors;
+};
+
+/// Nested levels of detail, finest first.
+struct Levels {
+    /// Each against the ORIGINAL: its errors, its map and its vertices' indices, as if it were reduced alone.
+    std::vector<Reduction> levels;
+    /// links[i] leads from levels[i] to levels[i + 1]. Empty where none were asked for. From the original to levels[0]
+    /// leads the map of levels[0].
+    std::vector<LevelLink> links;
+};
+
+/// Reduces a mesh to nested levels of detail, one for each of the bounds, finest first (§4). Each level continues from the
+/// one before, so its vertices are a subset of the finer one's, bit for bit; and each keeps its own bounds against the
+/// original, as `reduce` promises. The first level is what `reduce` makes of the first bounds; a coarser one has seldom
+/// quite as few triangles as a reduction from scratch.
+///
+/// From level to level no bound may fall and at least one must rise; there is at least one level.
+///
+/// Faults: those of reduce; bad_levels, with the level (from 0) as index and the variable at fault. `levels` is then
+/// untouched. A cancelled call returns an ok status and the levels so far, the last one marked as cancelled and without a
+/// link to it.
+Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const LevelOptions& options, Levels& levels,
+                     const Progress& progress = {});
+
+} // namespace meshbound

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meshbound/levels.hpp"
+#include "meshbound/map.hpp"
+#include "meshbound/mesh.hpp"
+#include "meshbound/reduce.hpp"
+
+namespace meshbound {
+
+/// Two surfaces and the tracked map from the one onto the other: a mesh and its reduction, or a level of detail and the next
+/// coarser one. Only looks at them; all of them outlive it.
+struct MappedSurfaces {
+    MappedSurfaces(const Mesh& mesh, const Reduction& reduction)
+        : original(mesh), reduced(reduction.mesh), vertices(reduction.vertices), map(reduction.map) {}
+    MappedSurfaces(const Mesh& finer, const Mesh& coarser, const LevelLink& link)
+        : original(finer), reduced(coarser), vertices(link.vertices), map(link.map) {}
+
+    const Mesh& original;
+    const Mesh& reduced;
+    const std::vector<std::uint32_t>& vertices; ///< for each vertex of `reduced` its index in `original`, rising
+    const SurfaceMap& map;                      ///< empty where errors were propagated
+};
+
+} // namespace meshbound

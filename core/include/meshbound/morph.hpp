@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "meshbound/mapped_surfaces.hpp"
+#include "meshbound/mesh.hpp"
+#include "meshbound/options.hpp"
+
+namespace meshbound {
+
+/// The way from a finer level of detail to the next coarser one (§4): the pieces of their mutual segmentation, whose corners
+/// carry the place and the values of both. Position and every variable, mixed at the corners, lead from the one surface to
+/// the other without a jump and without a crack, boundary on boundary: at 0 it is the finer level, at 1 the coarser one.
+///
+/// The first corners are the vertices of the finer level; then come the crossings of its edges with those of the coarser
+/// level. Values are in the precision of the meshes: those of vertices bit for bit, those at crossings rounded once.
+struct Morph {
+    std::vector<glm::uvec3> triangles; ///< three corners each
+    std::vector<Variable> finer;       ///< at the corners: position first, then the variables of the meshes
+    std::vector<Variable> coarser;     ///< the same corners on the coarser level
+    std::size_t folded_triangles = 0;  ///< that run clockwise on the coarser level (see Segmentation)
+    double folded_share = 0;           ///< and their share of the finer level's area
+};
+
+/// Makes the morph between two surfaces. Where there is no map between them, after a reduction with propagated errors, it
+/// has no triangles, and so where `progress` cancels. Throws std::bad_alloc where memory runs out.
+///
+///     make_morph({mesh, levels.levels[0]}, morph);                                               // from the original
+///     make_morph({levels.levels[0].mesh, levels.levels[1].mesh, levels.links[0]}, morph);       // to the next level
+void make_morph(const MappedSurfaces& surfaces, Morph& morph, const Progress& progress = {});
+
+/// The surface on its way, `share` 0…1: at 0 the triangles of the morph on the finer level, at 1 on the coarser one.
+Mesh morphed(const Morph& morph, double share);
+
+} // namespace meshbound

@@ -1,0 +1,109 @@
+#include "meshbound/levels.hpp"
+
+#include <new>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "check_options.hpp"
+#include "reduction_run.hpp"
+#include "ticker.hpp"
+
+namespace meshbound {
+namespace {
+
+using LevelBounds = std::vector<std::vector<ResolvedBound>>;
+
+/// Levels by their number from 1, as people count them.
+std::string name_of(std::size_t level) { return "level " + std::to_string(level + 1); }
+
+std::string text_of(double bound) {
+    std::ostringstream text;
+    text << bound;
+    return text.str();
+}
+
+const std::string& variable_name(const Mesh& mesh, std::size_t i) {
+    return i == 0 ? mesh.position.name : mesh.variables[i - 1].name;
+}
+
+/// A coarser level is a finer one with more removed: it cannot keep tighter bounds, and under the same ones it is the same.
+Status check_step(const Mesh& mesh, const LevelBounds& bounds, std::size_t level) {
+    bool rises = false;
+    for (std::size_t i = 0; i < bounds[level].size(); ++i) {
+        const double finer = bounds[level - 1][i].absolute, coarser = bounds[level][i].absolute;
+        rises = rises || coarser > finer;
+        if (coarser >= finer) continue;
+        const std::string& name = variable_name(mesh, i);
+        return {Fault::bad_levels,
+                "The bound of \"" + name + "\" falls from " + text_of(finer) + " in " + name_of(level - 1) + " to " +
+                    text_of(coarser) + " in " + name_of(level) +
+                    "; levels go from fine to coarse, so no bound may fall.",
+                name, level};
+    }
+    if (rises) return {};
+    return {Fault::bad_levels,
+            "The bounds of " + name_of(level) + " are those of " + name_of(level - 1) + "; at least one must rise.", "",
+            level};
+}
+
+Status resolve_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, LevelBounds& resolved) {
+    if (bounds.empty()) return {Fault::bad_levels, "There must be the bounds of at least one level.", "", {}};
+    for (std::size_t level = 0; level < bounds.size(); ++level) {
+        resolved.emplace_back();
+        Status status = resolve_bounds(mesh, bounds[level], resolved.back());
+        if (!status.ok()) status.message = "Of " + name_of(level) + ": " + status.message;
+        if (status.ok() && level > 0) status = check_step(mesh, resolved, level);
+        if (!status.ok()) return status;
+    }
+    return {};
+}
+
+/// The first level starts from the original and takes this many times as long as each further one, more or less.
+constexpr double work_of_first = 2;
+
+ProgressSpan span_of(std::size_t level, std::size_t levels) {
+    const double all = work_of_first + static_cast<double>(levels - 1);
+    const auto reached = [&](std::size_t n) { return n == 0 ? 0 : (work_of_first + static_cast<double>(n - 1)) / all; };
+    return {reached(level), reached(level + 1)};
+}
+
+Levels reduce_all(const Mesh& mesh, const LevelBounds& bounds, const LevelOptions& options, const Oddities& oddities,
+                  Ticker& ticker) {
+    Levels levels;
+    ReductionRun run(mesh, options.reduction, oddities, ticker);
+    for (std::size_t level = 0; level < bounds.size() && !ticker.cancelled(); ++level) {
+        const bool linked = options.links && options.reduction.errors == Errors::tracked && level > 0;
+        LevelLink link;
+        levels.levels.push_back(
+            run.reduce_within(bounds[level], span_of(level, bounds.size()), linked ? &link : nullptr));
+        if (linked && !ticker.cancelled()) levels.links.push_back(std::move(link));
+    }
+    return levels;
+}
+
+} // namespace
+
+Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const LevelOptions& options, Levels& levels,
+                     const Progress& progress) {
+    try {
+        Ticker ticker(progress);
+        Oddities oddities;
+        if (Status status = validate(mesh, &oddities); !status.ok()) return status;
+        LevelBounds resolved;
+        if (Status status = resolve_levels(mesh, bounds, resolved); !status.ok()) return status;
+        if (Status status = check_options(mesh, options.reduction); !status.ok()) return status;
+        ticker.ask();
+        levels = reduce_all(mesh, resolved, options, oddities, ticker);
+        ticker.finish();
+        return {};
+    } catch (const std::bad_alloc&) {
+        return {Fault::out_of_memory,
+                "There is no memory left for reducing " + std::to_string(mesh.triangles.size()) + " triangles to " +
+                    std::to_string(bounds.size()) + " levels.",
+                "",
+                {}};
+    }
+}
+
+} // namespace meshbound

@@ -1,0 +1,92 @@
+#include "linked_tracking.hpp"
+
+#include <algorithm>
+
+#include "map_output.hpp"
+
+namespace meshbound {
+namespace {
+
+std::vector<std::uint32_t> kept_vertices(const Surface& surface) {
+    std::vector<std::uint32_t> kept;
+    for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex)
+        if (surface.kind(vertex) != VertexKind::absent) kept.push_back(vertex);
+    return kept;
+}
+
+/// Names vertices by their indices among some of them, which are rising.
+class Indices {
+public:
+    explicit Indices(const std::vector<std::uint32_t>& vertices) : vertices_(vertices) {}
+    std::uint32_t operator[](std::uint32_t vertex) const {
+        return static_cast<std::uint32_t>(std::lower_bound(vertices_.begin(), vertices_.end(), vertex) -
+                                          vertices_.begin());
+    }
+
+private:
+    const std::vector<std::uint32_t>& vertices_;
+};
+
+} // namespace
+
+LinkedTracking::LinkedTracking(Tracking& from_original, const Rows& rows, const Surface& surface,
+                               const Options& options)
+    : from_original_(from_original), from_finer_(rows, surface, options), rows_(&rows), surface_(&surface),
+      finer_vertices_(kept_vertices(surface)) {}
+
+void LinkedTracking::enter(const Hole& hole) {
+    from_original_.enter(hole);
+    from_finer_.enter(hole);
+}
+
+Measured LinkedTracking::measure(const Retriangulation& retriangulation, double squared_limit) {
+    const Measured original = from_original_.measure(retriangulation, squared_limit);
+    if (original.squared_ratio > squared_limit) return original;
+    const Measured finer = from_finer_.measure(retriangulation, squared_limit);
+    return finer.squared_ratio > original.squared_ratio ? finer : original;
+}
+
+void LinkedTracking::commit(const Retriangulation& retriangulation) {
+    from_original_.commit(retriangulation);
+    from_finer_.commit(retriangulation);
+}
+
+void LinkedTracking::measure_in(const Rows& rows) {
+    from_original_.measure_in(rows);
+    from_finer_.measure_in(rows);
+    rows_ = &rows;
+}
+
+void LinkedTracking::errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const {
+    from_original_.errors(slot, ranges);
+}
+
+void LinkedTracking::extract(const std::vector<std::uint32_t>& renamed_vertex,
+                             const std::vector<std::uint32_t>& renamed_triangle,
+                             const std::vector<std::uint32_t>& coarser_vertices, LevelLink& link,
+                             Ticker& ticker) const {
+    const Indices in_finer(finer_vertices_);
+    for (const std::uint32_t vertex : coarser_vertices) link.vertices.push_back(in_finer[vertex]);
+    SurfaceMap map;
+    extract_map(*surface_, from_finer_, renamed_vertex, renamed_triangle, map, ticker);
+    for (const std::uint32_t vertex : finer_vertices_) link.map.places.push_back(map.places[vertex]);
+    link.map.crossings = std::move(map.crossings);
+    for (MapCrossing& crossing : link.map.crossings)
+        crossing.original = {in_finer[crossing.original.x], in_finer[crossing.original.y]};
+    extract_errors(link, ticker);
+}
+
+void LinkedTracking::extract_errors(LevelLink& link, Ticker& ticker) const {
+    link.errors.assign(rows_->groups().size(), 0);
+    std::vector<ErrorRange> ranges;
+    for (std::uint32_t slot = 0; slot < surface_->slot_count() && ticker.tick(1); ++slot) {
+        if (!surface_->alive(slot)) continue;
+        from_finer_.errors(slot, ranges);
+        for (const RowGroup& group : rows_->groups()) {
+            double& largest = link.errors[group.variable];
+            largest = std::max(largest, ranges[group.variable].largest * rows_->unit(group));
+        }
+    }
+}
+
+} // namespace meshbound

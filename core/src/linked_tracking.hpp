@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "accounting.hpp"
+#include "meshbound/levels.hpp"
+#include "ticker.hpp"
+#include "tracking.hpp"
+
+namespace meshbound {
+
+/// Two tracked maps at once, for a level that one can morph to (§4): the one from the original, which goes on, and one that
+/// begins at the surface as it is now, the finer level. Both keep the bounds. That of the finer level makes the morph a good
+/// one: nothing travels farther than the coarser bounds.
+class LinkedTracking final : public Accounting {
+public:
+    LinkedTracking(Tracking& from_original, const Rows& rows, const Surface& surface, const Options& options);
+
+    void enter(const Hole& hole) override;
+    HoleCost& cost() override { return from_original_.cost(); }
+    Measured measure(const Retriangulation& retriangulation, double squared_limit) override;
+    void commit(const Retriangulation& retriangulation) override;
+    std::size_t work() const override { return from_original_.work() + from_finer_.work(); }
+    void measure_in(const Rows& rows) override;
+    void errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const override;
+
+    /// The map from the finer level, and its largest errors. `renamed_vertex` and `renamed_triangle` lead to the coarser
+    /// level, of `coarser_vertices`. Stops where the ticker cancels, incomplete.
+    void extract(const std::vector<std::uint32_t>& renamed_vertex, const std::vector<std::uint32_t>& renamed_triangle,
+                 const std::vector<std::uint32_t>& coarser_vertices, LevelLink& link, Ticker& ticker) const;
+
+private:
+    void extract_errors(LevelLink& link, Ticker& ticker) const;
+
+    Tracking& from_original_;
+    Tracking from_finer_;
+    const Rows* rows_;
+    const Surface* surface_;
+    std::vector<std::uint32_t> finer_vertices_; // the finer level's, rising
+};
+
+} // namespace meshbound
