@@ -1,5 +1,6 @@
-import { readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { gunzipSync } from 'node:zlib';
+import { NodeIO } from '@gltf-transform/core';
 import { beforeAll, expect, test } from 'vitest';
 import { Folder } from './command.ts';
 import { engine } from './engine.ts';
@@ -36,4 +37,20 @@ test('onto itself is a file like any other', async () => {
   folder.write('self.vtp', readFileSync(folder.at('engine.vtp')));
   expect(await folder.run('convert', 'self.vtp', 'self.vtp')).toMatchObject({ status: 0 });
   expect((await folder.read('self.vtp')).mesh).toEqual(mesh);
+});
+
+test('a glTF file finds its buffers beside it; one that is missing is named', async () => {
+  await folder.run('convert', 'engine.vtp', 'out.glb');
+  mkdirSync(folder.at('scene'));
+  const document = await new NodeIO().read(folder.at('out.glb'));
+  document.getRoot().listBuffers()[0].setURI('engine.bin');
+  await new NodeIO().write(folder.at('scene/engine.gltf'), document);
+  expect(await folder.run('convert', 'scene/engine.gltf', 'back.glb')).toMatchObject({ status: 0, stderr: '' });
+  expect((await folder.read('back.glb')).mesh).toEqual((await folder.read('out.glb')).mesh);
+  rmSync(folder.at('scene/engine.bin'));
+  const { status, stderr } = await folder.run('inspect', 'scene/engine.gltf');
+  expect({ status, stderr }).toEqual({
+    status: 2,
+    stderr: 'meshbound: scene/engine.bin: there is no such file or folder.\n',
+  });
 });

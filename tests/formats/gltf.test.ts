@@ -18,6 +18,20 @@ function scene(arrays: GltfArray[], primitives: object[], more: object = {}): Ui
   return glbFile({ ...json, meshes: [{ primitives }], ...nodes, ...more }, binary);
 }
 
+const squareFile = accessorsOf([square, corners]);
+
+/** A glTF file in text of one square; its first buffer has its points and corners. */
+function textScene(...uris: string[]): Uint8Array {
+  const { json, binary } = squareFile;
+  const meshes = [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }];
+  const buffers = uris.map((uri) => ({ byteLength: binary.length, uri }));
+  return new TextEncoder().encode(JSON.stringify({ asset: { version: '2.0' }, buffers, ...json, meshes }));
+}
+
+function dataUri(): string {
+  return `data:application/octet-stream;base64,${btoa(String.fromCharCode(...squareFile.binary))}`;
+}
+
 const read = (bytes: Uint8Array) => readSurface('scene.glb', bytes);
 const variablesOf = (mesh: Mesh) => mesh.variables.map(({ name, values }) => `${name} ${Array.from(values).join(' ')}`);
 
@@ -104,6 +118,15 @@ describe('glTF attributes', () => {
     expect(variablesOf(mesh)).toEqual(['P 0 5 0 7']);
   });
 
+  it('may be named like what JavaScript has already', async () => {
+    const p = { components: 1, values: Float32Array.of(1, 2, 3, 4) };
+    // As text, since an object would not keep the name.
+    const attributes = JSON.parse('{ "POSITION": 0, "__proto__": 2, "_constructor": 2, "toString": 2 }');
+    const { mesh, summary } = await read(scene([square, corners, p], [{ attributes, indices: 1 }]));
+    expect(variablesOf(mesh)).toEqual(['_proto__ 1 2 3 4', 'constructor 1 2 3 4']);
+    expect(summary).toContain('Not carried: the attributes “toString”.');
+  });
+
   it('that not all primitives have are left out by name', async () => {
     const other = { ...square, values: square.values.map((v) => v + 5) as Float32Array };
     const p = { components: 1, values: Float32Array.of(1, 2, 3, 4) };
@@ -163,18 +186,20 @@ describe('a glTF scene', () => {
   });
 
   it('of glTF text with buffers inside is read', async () => {
-    const { json, binary } = accessorsOf([square, corners]);
-    const uri = `data:application/octet-stream;base64,${btoa(String.fromCharCode(...binary))}`;
-    const meshes = [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }];
-    const text = JSON.stringify({
-      asset: { version: '2.0' },
-      buffers: [{ byteLength: binary.length, uri }],
-      ...json,
-      meshes,
-    });
-    const { mesh, format } = await readSurface('scene.gltf', new TextEncoder().encode(text));
+    const { mesh, format } = await readSurface('scene.gltf', textScene(dataUri()));
     expect(format).toBe('glb');
     expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 2, 3]);
+  });
+
+  it('of glTF text with a buffer beside it is read, the same file once', async () => {
+    const asked: string[] = [];
+    const beside = async (path: string) => {
+      asked.push(path);
+      return squareFile.binary;
+    };
+    const { mesh } = await readSurface('scene.gltf', textScene('data/my%20scene.bin', 'data/my%20scene.bin'), beside);
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 2, 3]);
+    expect(asked).toEqual(['data/my scene.bin']);
   });
 
   it('welds what was repeated for drawing', async () => {
@@ -270,10 +295,52 @@ describe('a hostile glTF file', () => {
       'with arrays where objects belong',
       scene([square, corners], [good], { meshes: 'none', nodes: 7 }),
       'bad_header',
-      'glTF 2.0',
+      'meshes should be a list',
     ],
+    ['with nothing for a mesh', scene([square, corners], [good], { meshes: [null] }), 'bad_header', 'meshes'],
+    [
+      'with nothing for an accessor',
+      scene([square, corners], [good], { accessors: [null] }),
+      'bad_header',
+      'accessors',
+    ],
+    ['with a missing accessor', scene([square, corners], [{ ...good, indices: 9 }]), 'bad_header', 'accessor “9”'],
+    ['with a missing mesh', scene([square, corners], [good], { nodes: [{ mesh: 3 }] }), 'bad_header', 'mesh “3”'],
+    ['with a missing scene', scene([square, corners], [good], { scene: 2 }), 'bad_header', 'scene “2”'],
+    ['with half a matrix', scene([square, corners], [good], { nodes: [{ matrix: [1] }] }), 'bad_header', '16 numbers'],
+    [
+      'with words for a scale',
+      scene([square, corners], [good], { nodes: [{ scale: 'large' }] }),
+      'bad_header',
+      'scale',
+    ],
+    ['with numbers for extensions', scene([square, corners], [good], { extensionsUsed: [1] }), 'bad_header', 'names'],
+    ['with a number for a URI', scene([square, corners], [good], { buffers: [{ uri: 1 }] }), 'bad_header', 'buffer 0'],
+    ['with garbage for base64', textScene(dataUri().replace(/.{8}$/, '!!!!!!!!')), 'corrupt', 'buffer 0'],
+    ['with too little base64', textScene(dataUri().slice(0, -8)), 'truncated', 'buffer 0'],
+    ['with data that is not base64', textScene('data:,hello'), 'unsupported_feature', 'buffer 0'],
   ])('%s is refused', async (_, file, code, ...words) => {
     await expectFault(file, code, ...words);
+  });
+
+  it.each([
+    '../a.bin',
+    'a/../../b.bin',
+    '/etc/passwd',
+    'C:\\a.bin',
+    '..\\a.bin',
+    'file:///a.bin',
+    'https://a.b/c',
+    '%',
+    '%00',
+  ])('that refers to %s gets no file, even where there are files beside it', async (uri) => {
+    const reading = readSurface('scene.gltf', textScene(uri), () => expect.fail('asked for the file'));
+    await expect(reading).rejects.toMatchObject({ code: 'unsupported_feature' });
+  });
+
+  it('with too short a file beside it is refused', async () => {
+    const reading = readSurface('scene.gltf', textScene('a.bin'), async () => squareFile.binary.subarray(1));
+    await expect(reading).rejects.toMatchObject({ code: 'truncated', where: 'buffer 0' });
   });
 
   it('of broken JSON is refused', async () => {

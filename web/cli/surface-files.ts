@@ -1,5 +1,5 @@
 import { readFile } from 'node:fs/promises';
-import { basename } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import type { Mesh } from '../../wasm/types.ts';
 import { formatByEnding, formatNames } from '../formats/format-names.ts';
 import { addVariables, readSurface, type SurfaceFile } from '../formats/read.ts';
@@ -14,7 +14,8 @@ export interface OpenedSurface extends SurfaceFile {
 
 /** Reads a surface, and more of its variables from the CSV file `csvPath`. Throws a Fault that names the file. */
 export async function openSurface(path: string, csvPath?: string): Promise<OpenedSurface> {
-  const surface = await named(path, async () => readSurface(basename(path), await bytesOf(path)));
+  const beside = (name: string) => named(join(dirname(path), name), () => bytesOf(join(dirname(path), name)));
+  const surface = await named(path, async () => readSurface(basename(path), await bytesOf(path), beside));
   if (csvPath === undefined) return { ...surface, path };
   return { ...(await named(csvPath, async () => addVariables(surface, await bytesOf(csvPath)))), path };
 }

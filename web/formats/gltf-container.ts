@@ -1,6 +1,7 @@
 import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
-import { counted, grouped, listed, quoted } from './wording.ts';
+import { checkShape } from './gltf-shape.ts';
+import { counted, grouped, listed } from './wording.ts';
 
 /** As much of glTF's JSON as is looked at before glTF-Transform reads it. */
 export interface GltfJson {
@@ -45,10 +46,29 @@ const chunkHeadSize = 8;
 const jsonChunk = 0x4e4f534a;
 const binaryChunk = 0x004e4942;
 
-/** Takes a GLB file apart, or reads a glTF file whose buffers are inside it. */
+/** Takes a GLB file apart, or reads the JSON of a glTF file. Throws where that is nothing that can be read here. */
 export function openGltf(bytes: Uint8Array): GltfFile {
   const isBinary = new TextDecoder('latin1').decode(bytes.subarray(0, 4)) === 'glTF';
-  return isBinary ? openGlb(bytes) : { json: parseJson(bytes), binary: undefined };
+  const file = isBinary ? openGlb(bytes) : { json: parseJson(bytes), binary: undefined };
+  checkVersion(file.json);
+  checkShape(file.json);
+  checkCompression(file.json);
+  return file;
+}
+
+function checkVersion(json: GltfJson | null): void {
+  if (typeof json?.asset?.version === 'string' && json.asset.version.startsWith('2.')) return;
+  throw new FormatError('unsupported_feature', 'This is no glTF of version 2.');
+}
+
+/** Extensions that change how points are stored, or the JSON that names them. Those of materials and lights do not matter here. */
+const compressing = /draco|meshopt_compression|_compression/i;
+
+function checkCompression({ extensionsRequired = [] }: GltfJson): void {
+  const packed = extensionsRequired.filter((name) => compressing.test(name));
+  if (packed.length === 0) return;
+  const message = `The file is compressed by ${listed(packed)}, which is not read. Save it uncompressed.`;
+  throw new FormatError('unsupported_feature', message);
 }
 
 function openGlb(bytes: Uint8Array): GltfFile {
@@ -92,9 +112,6 @@ function parseJson(bytes: Uint8Array): GltfJson {
   }
 }
 
-/** Extensions that change how points are stored, or the JSON that names them. Those of materials and lights do not matter here. */
-const compressing = /draco|meshopt_compression|_compression/i;
-
 const componentSizes = new Map([
   [5120, 1],
   [5121, 1],
@@ -115,19 +132,8 @@ const typeSizes = new Map([
 
 const deepest = 256;
 
-/** Checks what glTF-Transform takes on trust: that accessors lie inside the buffers and nodes form a forest. */
-export function checkGltf({ json, binary }: GltfFile, fileSize: number): void {
-  if (typeof json !== 'object' || json === null || !json.asset?.version?.startsWith('2.')) {
-    throw new FormatError('unsupported_feature', 'This is no glTF of version 2.');
-  }
-  const packed = (json.extensionsRequired ?? []).filter((name) => compressing.test(name));
-  if (packed.length > 0) {
-    throw new FormatError(
-      'unsupported_feature',
-      `The file is compressed by ${listed(packed)}, which is not read. Save it uncompressed.`,
-    );
-  }
-  const sizes = (json.buffers ?? []).map((buffer, index) => bufferSize(buffer, index, binary));
+/** Checks what glTF-Transform takes on trust: that accessors lie inside the buffers, of these sizes, and nodes form a forest. */
+export function checkGltf(json: GltfJson, sizes: number[], fileSize: number): void {
   for (const [index, view] of (json.bufferViews ?? []).entries()) checkView(view, index, sizes);
   // Overlapping accessors could ask for any amount of memory.
   let budget = expansionLimit(fileSize);
@@ -137,25 +143,6 @@ export function checkGltf({ json, binary }: GltfFile, fileSize: number): void {
       throw new FormatError('too_large', 'The accessors ask for far more memory than a file of this size holds.');
   }
   checkForest(json.nodes ?? []);
-}
-
-function bufferSize(
-  buffer: { byteLength?: number; uri?: string },
-  index: number,
-  binary: Uint8Array | undefined,
-): number {
-  const { uri, byteLength = 0 } = buffer;
-  if (uri !== undefined && !uri.startsWith('data:')) {
-    throw new FormatError(
-      'unsupported_feature',
-      `The file refers to ${quoted(uri)}. Save it as GLB, with everything in one file.`,
-    );
-  }
-  // Base64 after a comma; four letters are three bytes.
-  const size = uri === undefined ? (binary?.length ?? 0) : Math.floor(((uri.length - uri.indexOf(',') - 1) * 3) / 4);
-  if (byteLength <= size) return size;
-  const message = `Buffer ${index} should have ${grouped(byteLength)} bytes, but has ${grouped(size)}.`;
-  throw new FormatError('truncated', message, `buffer ${index}`);
 }
 
 function isCount(value: unknown): value is number {
@@ -213,18 +200,18 @@ function checkForest(nodes: { children?: number[] }[]): void {
   const parents = new Map<number, number>();
   for (const [parent, { children = [] }] of nodes.entries()) {
     for (const child of children) {
-      if (parents.has(child) || !nodes[child]) throw badNodes(child);
+      if (!nodes[child]) throw badNode(child, 'is missing');
+      if (parents.has(child)) throw badNode(child, 'has two parents');
       parents.set(child, parent);
     }
   }
   for (const start of nodes.keys()) {
     let [node, depth]: [number | undefined, number] = [start, 0];
     for (; node !== undefined && depth <= deepest; depth++) node = parents.get(node);
-    if (node !== undefined) throw badNodes(start);
+    if (node !== undefined) throw badNode(start, `is its own ancestor, or below more than ${deepest} others`);
   }
 }
 
-function badNodes(node: number): FormatError {
-  const message = `Node ${node} is missing, has two parents, or is its own ancestor.`;
-  return new FormatError('bad_header', message, `node ${node}`);
+function badNode(node: number, fault: string): FormatError {
+  return new FormatError('bad_header', `Node ${node} ${fault}.`, `node ${node}`);
 }

@@ -57,6 +57,18 @@ function areUnitVectors(values: ArrayLike<number>): boolean {
   return true;
 }
 
+/** Before the semantics of attributes while glTF-Transform has them: it stumbles over one that is named `__proto__`. */
+const guard = 'attribute ';
+
+export function safeName(semantic: string): string {
+  return guard + semantic;
+}
+
+/** The attributes of a primitive under names that nothing in JavaScript has. */
+export function withSafeNames(attributes: Record<string, number>): Record<string, number> {
+  return Object.fromEntries(Object.entries(attributes).map(([semantic, accessor]) => [safeName(semantic), accessor]));
+}
+
 /** The attributes of a primitive that become variables, and the semantics of those that do not. */
 export function namedAttributes(
   primitive: Primitive,
@@ -66,8 +78,9 @@ export function namedAttributes(
 ): { attributes: GltfAttribute[]; lost: string[] } {
   const parts = new Map<string, Part[]>();
   const lost: string[] = [];
-  for (const semantic of primitive.listSemantics()) {
-    const accessor = primitive.getAttribute(semantic);
+  for (const safe of primitive.listSemantics()) {
+    const accessor = primitive.getAttribute(safe);
+    const semantic = safe.slice(guard.length);
     if (semantic === 'POSITION' || !accessor) continue;
     const extras = extrasOf(accessor);
     const name = extras.name ?? variableName(semantic);

@@ -84,6 +84,12 @@ export function checkCorners({ corners, ends }: Polygons, points: number, noun: 
   throw badIndex(corners[wrong], where, points);
 }
 
+/** The same for a list of indices that is one thing. */
+export function checkIndices(indices: Uint32Array, points: number, where: string): void {
+  const wrong = indices.find((index) => index >= points);
+  if (wrong !== undefined) throw badIndex(wrong, where, points);
+}
+
 /** The error for a face that names a point that does not exist. */
 function badIndex(corner: number, where: string, points: number): FormatError {
   const there = `the file has ${counted(points, 'point')}${points > 0 ? ` (0 to ${grouped(points - 1)})` : ''}`;

@@ -10,10 +10,18 @@ import {
 import type { Mesh } from '../../wasm/types.ts';
 import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
-import { checkGltf, type GltfFile, type GltfJson, openGltf } from './gltf-container.ts';
-import { extrasOf, type GltfAttribute, joinAttributes, namedAttributes } from './gltf-variables.ts';
-import { checkCorners } from './polygons.ts';
-import type { Surface } from './surface.ts';
+import { readBuffers } from './gltf-buffers.ts';
+import { checkGltf, type GltfJson, openGltf } from './gltf-container.ts';
+import {
+  extrasOf,
+  type GltfAttribute,
+  joinAttributes,
+  namedAttributes,
+  safeName,
+  withSafeNames,
+} from './gltf-variables.ts';
+import { checkIndices } from './polygons.ts';
+import type { Beside, Surface } from './surface.ts';
 import { weldedSurface } from './welded-surface.ts';
 import { counted, listed } from './wording.ts';
 
@@ -37,19 +45,23 @@ interface Part {
 }
 
 /**
- * Reads a GLB file, or a glTF file with its buffers inside. All triangles of the default scene become one mesh, put where
+ * Reads a GLB file, or a glTF file with its buffers inside or in files that `beside` gives. All triangles of the default scene become one mesh, put where
  * their nodes put them and welded. NORMAL, COLOR_0 and TEXCOORD_0 become `normal`, `color` and `uv`; `_NAME` becomes NAME,
  * or whatever the writer of this project noted as its name. glTF knows single precision only.
  */
-export async function readGltf(bytes: Uint8Array): Promise<Surface> {
+export async function readGltf(bytes: Uint8Array, beside?: Beside): Promise<Surface> {
   const file = openGltf(bytes);
-  const document = await readDocument(file, bytes.length);
+  const buffers = await readBuffers(file, beside);
+  const sizes = buffers.map(({ length }) => length);
+  const fileSize = bytes.length + [...new Set(buffers)].reduce((sum, { length }) => sum + length, 0);
+  checkGltf(file.json, sizes, fileSize);
+  const document = await readDocument(file.json, buffers);
   const notes = lossNotes(file.json);
   const placed = placedPrimitives(document);
   const drawn = placed.filter(({ primitive }) => isTriangles(primitive));
   if (placed.length > drawn.length)
     notes.push(`Not carried: ${counted(placed.length - drawn.length, 'primitive')} of points or lines.`);
-  checkExpansion(drawn, bytes.length);
+  checkExpansion(drawn, fileSize);
   const parts = drawn.map((each, index) => readPart(each, index));
   const full = parts.filter((part) => part.position.length > 0 && part.triangles.length > 0);
   if (full.length === 0) throw new FormatError('no_triangles', 'The scene of the file has no triangles.');
@@ -65,28 +77,43 @@ export async function readGltf(bytes: Uint8Array): Promise<Surface> {
 }
 
 /** glTF-Transform does not expect hostile files: what it throws at them is an error of the file. */
-async function readDocument(file: GltfFile, fileSize: number): Promise<Document> {
+async function readDocument(json: GltfJson, buffers: Uint8Array[]): Promise<Document> {
+  const resources = Object.fromEntries(
+    buffers.map((bytes, index) => [resourceName(index), bytes as Uint8Array<ArrayBuffer>]),
+  );
   try {
-    checkGltf(file, fileSize);
-    const { binary } = file;
-    const resources: Record<string, Uint8Array<ArrayBuffer>> = binary
-      ? { '@glb.bin': binary.slice() as Uint8Array<ArrayBuffer> }
-      : {};
-    const json = geometryOnly(file.json) as unknown as JSONDocument['json'];
-    return await new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).readJSON({ json, resources });
+    const plain = geometryOnly(json) as unknown as JSONDocument['json'];
+    return await new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).readJSON({ json: plain, resources });
   } catch (error) {
-    if (error instanceof FormatError) throw error;
     throw new FormatError('bad_header', `The JSON of the file does not follow glTF 2.0 (${(error as Error).message}).`);
   }
 }
 
+/** What glTF-Transform knows a buffer by, wherever its bytes came from. */
+function resourceName(index: number): string {
+  return `buffer-${index}`;
+}
+
 /** The JSON without all that does not concern the surface and could name other files. */
-function geometryOnly({ asset, buffers, bufferViews, accessors, meshes, nodes, scenes, scene }: GltfJson): GltfJson {
+function geometryOnly({ buffers, bufferViews, accessors, meshes, nodes, scenes, scene }: GltfJson): GltfJson {
+  const plainBuffers = buffers?.map(({ byteLength }, index) => ({ byteLength, uri: resourceName(index) }));
   const plainMeshes = meshes?.map(({ primitives }) => ({
-    primitives: primitives?.map(({ attributes, indices, mode }) => ({ attributes, indices, mode })),
+    primitives: primitives?.map(({ attributes, indices, mode }) => ({
+      attributes: withSafeNames(attributes ?? {}),
+      indices,
+      mode,
+    })),
   }));
   const plainNodes = nodes?.map((node) => ({ ...node, skin: undefined, camera: undefined, extensions: undefined }));
-  const plain = { asset, buffers, bufferViews, accessors, meshes: plainMeshes, nodes: plainNodes, scenes, scene };
+  const plain = {
+    bufferViews,
+    accessors,
+    nodes: plainNodes,
+    scenes,
+    scene,
+    buffers: plainBuffers,
+    meshes: plainMeshes,
+  };
   return JSON.parse(JSON.stringify({ ...plain, asset: { version: '2.0' } })) as GltfJson;
 }
 
@@ -133,13 +160,13 @@ function checkExpansion(placed: Placed[], fileSize: number): void {
 
 function readPart({ primitive, matrix }: Placed, index: number): Part {
   const where = `primitive ${index}`;
-  const accessor = primitive.getAttribute('POSITION');
+  const accessor = primitive.getAttribute(safeName('POSITION'));
   if (accessor?.getElementSize() !== 3) throw new FormatError('no_points', `The ${where} has no POSITION.`, where);
   const position = numbersOf(accessor);
   const { attributes, lost } = namedAttributes(primitive, where, position.length / 3, numbersOf);
   const { unit } = extrasOf(accessor);
   const corners = cornersOf(primitive, position.length / 3);
-  checkCorners({ corners, ends: Uint32Array.of(corners.length) }, position.length / 3, where);
+  checkIndices(corners, position.length / 3, where);
   return place({ position, attributes, triangles: trianglesOf(corners, primitive.getMode()), unit, lost }, matrix);
 }
 

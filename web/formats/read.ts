@@ -2,12 +2,12 @@ import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
 import { gunzip, isGzip } from './gzip.ts';
 import { recognise } from './recognise.ts';
-import { type Format, noLabels, type Surface } from './surface.ts';
+import { type Beside, type Format, noLabels, type Surface } from './surface.ts';
 import { withinMemory } from './within-memory.ts';
 import { quoted } from './wording.ts';
 
 /** One reader a format, each loaded when the first file of its format comes. */
-const readers: Record<Format, () => Promise<(bytes: Uint8Array) => Surface | Promise<Surface>>> = {
+const readers: Record<Format, () => Promise<(bytes: Uint8Array, beside?: Beside) => Surface | Promise<Surface>>> = {
   ply: async () => (await import('./read-ply.ts')).readPly,
   vtp: async () => (await import('./read-vtp.ts')).readVtp,
   vtk: async () => (await import('./read-vtk.ts')).readVtk,
@@ -25,12 +25,12 @@ export interface SurfaceFile extends Surface {
 /**
  * Reads a surface with its variables from a file in memory, packed by gzip or not, in the browser, a worker or Node. The
  * content decides about the format; `name` serves to say so where its ending claims another, and where the content has no
- * mark. Throws a FormatError for whatever is wrong with the file. Values that are NaN or infinite, repeated corners and
+ * mark. `beside` gives the files that a glTF file names; without it, one that does is refused. Throws a FormatError for whatever is wrong with the file. Values that are NaN or infinite, repeated corners and
  * unused points are passed on: they are the core's to judge.
  */
-export async function readSurface(name: string, bytes: Uint8Array): Promise<SurfaceFile> {
-  if (isGzip(bytes)) return readUnpacked(name.replace(/\.gz$/i, ''), await withinMemory(() => gunzip(bytes)));
-  return readUnpacked(name, bytes);
+export async function readSurface(name: string, bytes: Uint8Array, beside?: Beside): Promise<SurfaceFile> {
+  if (isGzip(bytes)) return readUnpacked(name.replace(/\.gz$/i, ''), await withinMemory(() => gunzip(bytes)), beside);
+  return readUnpacked(name, bytes, beside);
 }
 
 /** The surface with the variables of a CSV file beside it, a line for each point; see readCsv. */
@@ -53,10 +53,10 @@ export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promi
   return { ...surface, mesh: { ...mesh, variables }, units, notes, summary: notes.join(' ') };
 }
 
-async function readUnpacked(name: string, bytes: Uint8Array): Promise<SurfaceFile> {
+async function readUnpacked(name: string, bytes: Uint8Array, beside?: Beside): Promise<SurfaceFile> {
   const format = recognise(bytes, name);
   const read = await readers[format]();
-  const surface = await withinMemory(() => read(bytes));
+  const surface = await withinMemory(() => read(bytes, beside));
   const notes = [...endingNote(name, format), ...surface.notes];
   return { ...surface, format, notes, summary: notes.join(' ') };
 }

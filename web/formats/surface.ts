@@ -20,6 +20,9 @@ export interface Surface extends Labels {
   locked?: Uint32Array;
 }
 
+/** Gives the bytes of a file that another one names, by its path relative to that one; throws where there is none. */
+export type Beside = (path: string) => Promise<Uint8Array>;
+
 export interface WriteOptions extends Partial<Labels> {
   /** Packed by gzip, for a name that ends in .gz. Default: no. */
   gzip?: boolean;

@@ -1,0 +1,87 @@
+import { FormatError } from './format-error.ts';
+import type { GltfJson } from './gltf-container.ts';
+import { quoted } from './wording.ts';
+
+type Item = Record<string, unknown>;
+
+/** Checks the JSON for the lists, objects and references that glTF prescribes, as far as they matter here: nobody else does. */
+export function checkShape(json: GltfJson): void {
+  const [buffers, , accessors, meshes, nodes, scenes] = [
+    'buffers',
+    'bufferViews',
+    'accessors',
+    'meshes',
+    'nodes',
+    'scenes',
+  ].map((name) => objectsIn(json[name], name));
+  for (const name of ['extensionsUsed', 'extensionsRequired']) {
+    if (!listIn(json[name], name).every(isText)) throw badShape(name, 'should be names');
+  }
+  for (const [index, { uri }] of buffers.entries()) {
+    if (uri !== undefined && !isText(uri)) throw badShape(`buffer ${index}`, 'has a URI that is no text');
+  }
+  for (const [index, { primitives }] of meshes.entries()) {
+    for (const primitive of objectsIn(primitives, `primitives of mesh ${index}`)) {
+      checkPrimitive(primitive, accessors.length, `mesh ${index}`);
+    }
+  }
+  for (const [index, node] of nodes.entries()) checkNode(node, meshes.length, `node ${index}`);
+  for (const [index, scene] of scenes.entries()) {
+    for (const root of listIn(scene.nodes, `nodes of scene ${index}`)) {
+      checkReference(root, nodes.length, 'node', `scene ${index}`);
+    }
+  }
+  checkReference(json.scene, scenes.length, 'scene', 'the file');
+}
+
+function checkPrimitive({ attributes, indices, targets }: Item, accessors: number, where: string): void {
+  if (!isObject(attributes)) throw badShape(where, 'has a primitive without attributes');
+  for (const accessor of [...Object.values(attributes), indices]) {
+    checkReference(accessor, accessors, 'accessor', where);
+  }
+  listIn(targets, `targets of ${where}`);
+}
+
+/** How many numbers place a node. */
+const transforms = { matrix: 16, translation: 3, rotation: 4, scale: 3 };
+
+function checkNode(node: Item, meshes: number, where: string): void {
+  checkReference(node.mesh, meshes, 'mesh', where);
+  listIn(node.children, `children of ${where}`);
+  for (const [name, count] of Object.entries(transforms)) {
+    const numbers = listIn(node[name], `${name} of ${where}`);
+    const good = node[name] === undefined || (numbers.length === count && numbers.every(Number.isFinite));
+    if (!good) throw badShape(where, `has a ${name} that is not ${count} numbers`);
+  }
+}
+
+function checkReference(value: unknown, count: number, noun: string, where: string): void {
+  if (value === undefined || (Number.isInteger(value) && (value as number) >= 0 && (value as number) < count)) return;
+  throw badShape(where, `names the ${noun} ${quoted(String(value))}, which does not exist`);
+}
+
+/** A list that may be missing. */
+function listIn(value: unknown, where: string): unknown[] {
+  if (value === undefined) return [];
+  if (Array.isArray(value)) return value;
+  throw badShape(where, 'should be a list');
+}
+
+function objectsIn(value: unknown, where: string): Item[] {
+  const list = listIn(value, where);
+  const wrong = list.findIndex((item) => !isObject(item));
+  if (wrong >= 0) throw badShape(where, `should be objects, but number ${wrong} is none`);
+  return list as Item[];
+}
+
+function isText(value: unknown): value is string {
+  return typeof value === 'string';
+}
+
+function isObject(value: unknown): value is Item {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
+}
+
+function badShape(where: string, fault: string): FormatError {
+  return new FormatError('bad_header', `The JSON of the file does not follow glTF 2.0: ${where} ${fault}.`, where);
+}
