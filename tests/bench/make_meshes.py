@@ -98,6 +98,8 @@ def main(description, numbers, folder, *wanted):
         position = points * about["spacing"] + about["origin"]
         carried = [key for key in names if key in ("density", "pressure", "vx", "vy", "vz", "energy", "temperature")]
         columns = [*position.T, *(sampled(volumes[key], points) for key in carried)]
+        # Linear along the edges of the grid, as the surface is: between them the cubic would add noise to a constant.
+        columns[3 + carried.index("density")] = numpy.full(len(points), ISOVALUE)
         write_ply(f"{folder}/{name}.ply", ["x", "y", "z", *carried], columns, triangles)
         print(f"{name}: {len(triangles)} triangles", flush=True)
 

@@ -1,0 +1,95 @@
+import { median } from 'd3-array';
+
+/** One step on the way. Times in milliseconds since the page began. */
+interface Step {
+  name: string;
+  start: number;
+  end: number;
+  /** Of a reduction: how long the core took. */
+  core: number;
+}
+
+/** From an event to the last picture that came of it. */
+export interface Way {
+  start: number;
+  steps: Step[];
+  /** Of one surface each, in the order of drawing. */
+  pictures: { triangles: number; end: number }[];
+}
+
+/** Where the time of a way goes: milliseconds, one after the other, without the gaps between them. */
+interface Parts {
+  triangles: number;
+  left: number;
+  reading: number;
+  checking: number;
+  /** Until the original is in the picture; the reduction runs meanwhile. */
+  shown: number;
+  core: number;
+  /** Copies and messages of the reduction. */
+  around: number;
+  preparing: number;
+  drawing: number;
+  /** Until the reduced surface is in the picture. */
+  whole: number;
+}
+
+function partsOf({ start, steps, pictures }: Way): Parts {
+  const named = (name: string) => steps.filter((step) => step.name === name);
+  const duration = (step: Step | undefined) => (step ? step.end - step.start : 0);
+  const reduction = named('reduce').at(-1);
+  const prepared = named('prepare').at(-1);
+  if (!reduction || !prepared) throw new Error('The page reduced nothing.');
+  const [triangles, left] = [pictures, pictures.slice(-1)].map((some) => Math.max(...some.map((one) => one.triangles)));
+  const picture = pictures.find(({ end, triangles: drawn }) => end > prepared.end && drawn === left);
+  const inspection = named('inspect').at(-1);
+  return {
+    triangles: triangles ?? 0,
+    left: left ?? 0,
+    reading: duration(named('read').at(-1)),
+    checking: duration(inspection),
+    shown: (pictures.find(({ triangles: drawn }) => drawn === triangles)?.end ?? 0) - start,
+    core: reduction.core,
+    around: duration(reduction) - reduction.core,
+    preparing: duration(prepared),
+    drawing: (picture?.end ?? 0) - prepared.end,
+    whole: (picture?.end ?? 0) - start,
+  };
+}
+
+/** From the choice of a file. */
+export function fileTable(ways: Way[]): string {
+  const head = ['triangles', 'left', 'seconds', 'reading', 'checking', 'reducing', 'around it', 'preparing', 'drawing'];
+  const lines = ways
+    .map(partsOf)
+    .map((parts) => [
+      ...[parts.triangles, parts.left, (parts.whole / 1000).toFixed(2)],
+      ...[parts.reading, parts.checking, parts.core, parts.around, parts.preparing, parts.drawing].map(share(parts)),
+      share(parts)(parts.shown),
+    ]);
+  return markdown([...head, 'original shown after'], lines);
+}
+
+/** From the move of a slider: the median of several. */
+export function dragTable(drags: Way[][]): string {
+  const head = ['left', 'milliseconds', 'waiting', 'reducing', 'around it', 'preparing', 'drawing'];
+  const lines = drags.map((ways) => {
+    const all = ways.map(partsOf);
+    const middle = (part: keyof Parts) => median(all, (parts) => parts[part]) ?? 0;
+    const whole = middle('whole');
+    const done = middle('core') + middle('around') + middle('preparing') + middle('drawing');
+    return [
+      ...[middle('left'), whole.toFixed(0), share({ whole })(whole - done)],
+      ...(['core', 'around', 'preparing', 'drawing'] as const).map((part) => share({ whole })(middle(part))),
+    ];
+  });
+  return markdown(head, lines);
+}
+
+function share({ whole }: { whole: number }): (time: number) => string {
+  return (time) => `${Math.max(0, (100 * time) / whole).toFixed(0)} %`;
+}
+
+function markdown(head: string[], lines: (string | number)[][]): string {
+  return [head, head.map(() => '---:'), ...lines].map((line) => `| ${line.join(' | ')} |`).join('\n');
+}
