@@ -132,11 +132,20 @@ describe('changing a bound', () => {
     return { session, runs };
   }
 
-  test('aborts the running reduction and starts one with the new bound', async () => {
+  test('starts a reduction at once where none runs', async () => {
+    const { session, runs } = await opened();
+    runs[0].finish();
+    await settled();
+    session.setBound('pressure', { fraction: 0.1, free: false });
+    expect(runs).toHaveLength(2);
+  });
+
+  test('aborts the running reduction once the slider rests, and starts one with the new bound', async () => {
     const { session, runs } = await opened();
     session.setBound('pressure', { fraction: 0.1, free: false });
-    expect(runs[0].options.signal?.aborted).toBe(true);
+    expect(runs[0].options.signal?.aborted).toBe(false);
     await settled();
+    expect(runs[0].options.signal?.aborted).toBe(true);
     expect(runs).toHaveLength(2);
     expect(runs[1].options.bounds.pressure).toEqual({ relative: 0.1 });
   });
@@ -149,9 +158,33 @@ describe('changing a bound', () => {
     expect(runs[1].options.bounds.pressure).toEqual({ relative: 0.06 });
   });
 
+  test('what a reduction gives while the slider moves is shown as not the last, and the next one starts', async () => {
+    const { session, runs } = await opened();
+    session.setAllBounds(0.1);
+    runs[0].finish();
+    await vi.waitFor(() => expect(runs).toHaveLength(2));
+    expect(session.state.result).not.toBeNull();
+    expect(session.state.progress).toBe(0);
+    expect(runs[1].options.bounds.pressure).toEqual({ relative: 0.1 });
+    runs[1].finish();
+    await settled();
+    expect(runs).toHaveLength(2);
+    expect(session.state.progress).toBeNull();
+  });
+
+  test('a reduction that fails while the slider moves makes room for the next one', async () => {
+    const { session, runs } = await opened();
+    session.setAllBounds(0.1);
+    runs[0].fail(new Error('The bound is too fine.'));
+    await vi.waitFor(() => expect(runs).toHaveLength(2));
+    expect(session.state.progress).toBe(0);
+    expect(texts(session)).not.toContain('The bound is too fine.');
+  });
+
   test('the outcome of an aborted reduction is never shown', async () => {
     const { session, runs } = await opened();
     session.setAllBounds(0.1);
+    await settled();
     runs[0].finish();
     await settled();
     expect(session.state.result).toBeNull();

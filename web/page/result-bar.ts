@@ -41,6 +41,11 @@ export class ResultBar extends LitElement {
         flex: 1 1 320px;
         overflow-wrap: anywhere;
       }
+      /* It is of earlier bounds while another reduction runs; most are over before anyone could see that. */
+      .sentence.provisional {
+        color: var(--ink-soft);
+        transition: color 0s 0.15s;
+      }
       .numbers,
       .saves {
         display: flex;
@@ -95,7 +100,9 @@ export class ResultBar extends LitElement {
           ? nothing
           : html`<div class="progress" aria-hidden="true" .style=${`width:${100 * this.progress}%`}></div>`
       }
-      <p class="sentence" role="status">${this.report ? promiseSentence(this.report, this.measured) : ''}</p>
+      <p class="sentence ${this.progress === null ? '' : 'provisional'}" role="status">
+        ${this.report ? promiseSentence(this.report, this.measured) : ''}
+      </p>
       <span class="numbers soft">${this.#numbers()}</span>
       <span class="saves">
         ${savedFormats.map(

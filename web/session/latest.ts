@@ -18,6 +18,10 @@ export class Latest {
     }
   }
 
+  get isRunning(): boolean {
+    return this.#controller !== null;
+  }
+
   abort(): void {
     this.#controller?.abort();
     this.#controller = null;

@@ -64,13 +64,16 @@ export interface SessionState {
   progress: number | null;
   /** The user stopped the last reduction: a result is that of the one before. */
   cancelled: boolean;
-  /** The last good reduction of this surface. */
+  /** The last good reduction of this surface: of earlier bounds where another one runs. */
   result: Reduction | null;
   notices: readonly Notice[];
 }
 
-/** A slider that is being dragged sends many changes; a reduction starts when it rests this long, in milliseconds. */
-const restBeforeRun = 60;
+/**
+ * A slider that is being dragged sends many changes. The reduction that runs then is of earlier bounds, but what it gives
+ * shows the way, until the slider rests this long, in milliseconds: then it makes room for the last one.
+ */
+const restBeforeAbort = 60;
 
 const emptyState: SessionState = {
   opening: null,
@@ -92,6 +95,8 @@ export class Session extends EventTarget {
   #opening = new Latest();
   #reducing = new Latest();
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** The bounds have changed since the reduction that runs began. */
+  #isStale = false;
   #lastNotice = 0;
   #wanted: Bounds | null = null;
   #state = emptyState;
@@ -135,13 +140,11 @@ export class Session extends EventTarget {
     this.reduceAgain();
   }
 
-  /** Starts the reduction anew, as soon as nothing else changes; one that runs is of no more use. */
+  /** Starts the reduction anew; one that runs is aborted. */
   reduceAgain(): void {
     if (!this.#state.surface) return;
-    this.#reducing.abort();
     this.#update({ progress: 0, cancelled: false });
-    clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => void this.#reduce(), restBeforeRun);
+    void this.#reduce();
   }
 
   /** Stops the running reduction. The last result, if there is one, stays. */
@@ -212,13 +215,20 @@ export class Session extends EventTarget {
 
   #setBounds(bounds: BoundSettings): void {
     if (!this.#state.surface) return;
-    this.#update({ bounds });
-    this.reduceAgain();
+    this.#update({ bounds, progress: 0, cancelled: false });
+    if (this.#reducing.isRunning) {
+      this.#isStale = true;
+      clearTimeout(this.#timer);
+      this.#timer = setTimeout(() => void this.#reduce(), restBeforeAbort);
+    } else {
+      void this.#reduce();
+    }
   }
 
   /** From the original, so that the result does not depend on which way the sliders took. */
   async #reduce(): Promise<void> {
     clearTimeout(this.#timer);
+    this.#isStale = false;
     const { surface, bounds, method } = this.#state;
     if (!surface) return;
     this.#update({ notices: this.#state.notices.filter(({ ofReduction }) => !ofReduction) });
@@ -230,11 +240,13 @@ export class Session extends EventTarget {
         const options = { bounds: asBounds(bounds), ...method, locked: surface.locked, signal, onProgress };
         return this.#services.reduce(surface.mesh, options);
       });
-      if (result !== superseded) this.#update({ result, progress: null });
+      if (result === superseded) return;
+      this.#update({ result, progress: this.#isStale ? 0 : null });
     } catch (error) {
-      this.#update({ progress: null });
+      if (!this.#isStale) this.#update({ progress: null });
       this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), ofReduction: true });
     }
+    if (this.#isStale) await this.#reduce();
   }
 
   #update(change: Partial<SessionState>): void {
