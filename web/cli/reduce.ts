@@ -1,9 +1,10 @@
-import { type Mesh, MeshboundError, type Reduction, reduce as reduceMesh } from '../../wasm/index.ts';
+import { type Mesh, type Reduction, reduce as reduceMesh } from '../../wasm/index.ts';
 import { oddityNotes } from '../session/oddity-notes.ts';
-import { requireKnown, requireKnownBounds, unnamed } from './bound-arguments.ts';
+import { requireKnownBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
+import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
-import { Fault, faultOf, UsageFault } from './fault.ts';
+import { faultOf } from './fault.ts';
 import { interruptible } from './interruption.ts';
 import { requireMapNames, triangleName, withMap } from './map-variables.ts';
 import { sayNotes } from './notes.ts';
@@ -14,11 +15,7 @@ import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
 
 async function openInput({ input, variables: csv, exclude, options, map }: Request): Promise<OpenedSurface> {
-  const whole = await openSurface(input, csv);
-  requireKnown(exclude, whole);
-  if (exclude.includes('position')) throw new UsageFault('--exclude: the position cannot be left out.');
-  const variables = whole.mesh.variables.filter(({ name }) => !exclude.includes(name));
-  const surface = { ...whole, mesh: { ...whole.mesh, variables } };
+  const surface = without(exclude, await openSurface(input, csv));
   requireKnownBounds(options.bounds, surface);
   if (map) {
     requireMapNames(surface);
@@ -40,16 +37,10 @@ async function reduceSurface({ path, mesh, locked }: OpenedSurface, request: Req
       onProgress: (progress) => bar?.show(progress),
     });
   } catch (error) {
-    throw withAdvice(path, error);
+    throw faultOf(path, error);
   } finally {
     bar?.clear();
   }
-}
-
-function withAdvice(path: string, error: unknown): unknown {
-  const fault = faultOf(path, error);
-  const excludable = error instanceof MeshboundError && error.code === 'non_finite_value' && fault instanceof Fault;
-  return excludable ? new Fault(`${fault.message} To leave the variable out: --exclude "${error.variable}".`) : fault;
 }
 
 /** Writes what was asked for, and gives the notes on each file of what it does not hold. */
