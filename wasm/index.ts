@@ -3,7 +3,7 @@ import type { Inspection } from './inspection.ts';
 import { TaskQueue } from './task-queue.ts';
 import type { Levels, LevelsOptions, Mesh, ReduceOptions, Reduction } from './types.ts';
 
-export { type ErrorCode, MeshboundError } from './errors.ts';
+export { type ErrorCode, type Failure, MeshboundError } from './errors.ts';
 export type { Inspection, VariableExtent } from './inspection.ts';
 export type * from './types.ts';
 

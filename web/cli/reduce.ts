@@ -1,10 +1,9 @@
-import { type Mesh, type Reduction, reduce as reduceMesh } from '../../wasm/index.ts';
+import { type Mesh, MeshboundError, type Reduction, reduce as reduceMesh } from '../../wasm/index.ts';
 import { oddityNotes } from '../session/oddity-notes.ts';
-import { requireKnownBounds, unnamed } from './bound-arguments.ts';
+import { requireKnown, requireKnownBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
-import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
-import { faultOf } from './fault.ts';
+import { Fault, faultOf, UsageFault } from './fault.ts';
 import { interruptible } from './interruption.ts';
 import { requireMapNames, triangleName, withMap } from './map-variables.ts';
 import { sayNotes } from './notes.ts';
@@ -15,7 +14,11 @@ import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
 
 async function openInput({ input, variables: csv, exclude, options, map }: Request): Promise<OpenedSurface> {
-  const surface = without(exclude, await openSurface(input, csv));
+  const whole = await openSurface(input, csv);
+  requireKnown(exclude, whole);
+  if (exclude.includes('position')) throw new UsageFault('--exclude: the position cannot be left out.');
+  const variables = whole.mesh.variables.filter(({ name }) => !exclude.includes(name));
+  const surface = { ...whole, mesh: { ...whole.mesh, variables } };
   requireKnownBounds(options.bounds, surface);
   if (map) {
     requireMapNames(surface);
@@ -37,10 +40,16 @@ async function reduceSurface({ path, mesh, locked }: OpenedSurface, request: Req
       onProgress: (progress) => bar?.show(progress),
     });
   } catch (error) {
-    throw faultOf(path, error);
+    throw withAdvice(path, error);
   } finally {
     bar?.clear();
   }
+}
+
+function withAdvice(path: string, error: unknown): unknown {
+  const fault = faultOf(path, error);
+  const excludable = error instanceof MeshboundError && error.code === 'non_finite_value' && fault instanceof Fault;
+  return excludable ? new Fault(`${fault.message} To leave the variable out: --exclude "${error.variable}".`) : fault;
 }
 
 /** Writes what was asked for, and gives the notes on each file of what it does not hold. */

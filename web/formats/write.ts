@@ -1,16 +1,15 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
-import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
 import { gzip } from './gzip.ts';
 import type { Format, WriteOptions } from './surface.ts';
 import { withinMemory } from './within-memory.ts';
-import { listed, quoted } from './wording.ts';
+import { listed } from './wording.ts';
 
 interface Writer {
   write: (mesh: Mesh, options?: WriteOptions) => Uint8Array | Promise<Uint8Array>;
   /** Variables that the format has no place for. */
   lost: (mesh: Mesh) => Variable[];
-  /** Whether numbers go out in single precision, and finite, only. */
+  /** Whether numbers go out in single precision only. */
   single: boolean;
 }
 
@@ -37,12 +36,10 @@ const writers: Record<Format, () => Promise<Writer>> = {
 
 /**
  * Writes a mesh as a file in memory. PLY, VTP and legacy VTK hold all variables in single and double precision as given,
- * with units and component names; for what others lose ask lossesOf. Throws a FormatError where a format cannot hold a name, size
- * or value; `where` is the variable then.
+ * with units and component names; for what others lose ask lossesOf. Throws a FormatError where a format cannot hold a name or size.
  */
 export async function writeSurface(format: Format, mesh: Mesh, options?: WriteOptions): Promise<Uint8Array> {
-  const { write, lost, single } = await writers[format]();
-  if (single) requireFinite(format, keptVariables(mesh, lost(mesh)));
+  const { write } = await writers[format]();
   const file = await withinMemory(() => write(mesh, options));
   return options?.gzip ? gzip(file) : file;
 }
@@ -53,25 +50,13 @@ export async function lossesOf(format: Format, mesh: Mesh): Promise<string[]> {
   const sentences: string[] = [];
   const names = lost(mesh).map(({ name }) => name);
   if (names.length > 0) sentences.push(`${formatNames[format]} has no place for the variables ${listed(names)}.`);
-  const doubles = keptVariables(mesh, lost(mesh)).filter(({ values }) => values instanceof Float64Array);
+  const kept = [
+    { name: 'position', values: mesh.position },
+    ...mesh.variables.filter(({ name }) => !names.includes(name)),
+  ];
+  const doubles = kept.filter(({ values }) => values instanceof Float64Array).map(({ name }) => name);
   if (single && doubles.length > 0) {
-    const rounded = listed(doubles.map(({ name }) => name));
-    sentences.push(`${formatNames[format]} knows single precision only; rounded: ${rounded}.`);
+    sentences.push(`${formatNames[format]} knows single precision only; rounded: ${listed(doubles)}.`);
   }
   return sentences;
-}
-
-/** The geometry and what is not lost. */
-function keptVariables({ position, variables }: Mesh, lost: Variable[]): Variable[] {
-  return [{ name: 'position', components: 3, values: position }, ...variables.filter((each) => !lost.includes(each))];
-}
-
-function requireFinite(format: Format, variables: Variable[]): void {
-  for (const { name, values } of variables) {
-    const wrong = values.find((value: number) => !Number.isFinite(Math.fround(value)));
-    if (wrong === undefined) continue;
-    const fault = Number.isFinite(wrong) ? 'which is beyond single precision' : 'which is not finite';
-    const message = `${formatNames[format]} cannot hold the value ${wrong} of ${quoted(name)}, ${fault}.`;
-    throw new FormatError('not_finite', message, name);
-  }
 }
