@@ -9,5 +9,6 @@ fi
 cmake --build --preset wasm
 node_modules/.bin/tsx web/samples/build.ts
 node_modules/.bin/vite build --config web/vite.config.ts --logLevel warn
+node_modules/.bin/vite build --config web/element/vite.config.ts --logLevel warn
 node_modules/.bin/vite build --config web/cli/vite.config.ts --logLevel warn
 chmod +x build/cli/meshbound.mjs # npx runs it as it is

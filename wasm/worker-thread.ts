@@ -1,3 +1,4 @@
+import { fromAnyHost } from '../workers/from-any-host.ts';
 import type { Answer, Request } from './messages.ts';
 
 /** The caller's end of the line to a worker, the same in a browser and in Node. */
@@ -17,6 +18,7 @@ export function startWorker(events: WorkerEvents): WorkerThread {
 }
 
 function startInBrowser({ onAnswer, onFailure }: WorkerEvents): WorkerThread {
+  const Worker = fromAnyHost(globalThis.Worker);
   const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
   worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => onAnswer(data));
   worker.addEventListener('error', (event) => onFailure(event.message ?? 'it could not be loaded'));

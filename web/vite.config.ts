@@ -12,6 +12,12 @@ const isolation = {
   'Cross-Origin-Embedder-Policy': 'require-corp',
 };
 
+/** Workers obey the policy that they come with, not that of the page. */
+const policy = {
+  'Content-Security-Policy':
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data: blob:; connect-src 'self' https:",
+};
+
 /** The generated sample surfaces, under `samples/` of the page: served as they are, and copied into a build. */
 function sampleFiles(): Plugin {
   let output = '';
@@ -45,5 +51,5 @@ export default defineConfig({
   build: { outDir: join(root, '../dist'), emptyOutDir: true, assetsInlineLimit: 0, chunkSizeWarningLimit: 1024 },
   worker: { format: 'es' },
   server: { headers: isolation },
-  preview: { headers: isolation },
+  preview: { headers: { ...isolation, ...policy } },
 });

@@ -7,6 +7,8 @@ test('begins with a sample, reduced within the first bounds', async ({ page }) =
   page.on('request', (request) => hosts.add(new URL(request.url()).origin));
   const faults: string[] = [];
   page.on('pageerror', ({ message }) => faults.push(message));
+  // What the content security policy refuses is said here.
+  page.on('console', (message) => message.type() === 'error' && faults.push(message.text()));
   await openPage(page);
   const { after, before } = await counts(page);
   expect(after).toBeGreaterThan(0);

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { reducedFileName } from '../../web/element/file-name.ts';
-import { fractionAt, placeOf } from '../../web/page/bound-place.ts';
+import { fractionAt, placeOf } from '../../web/element/bound-place.ts';
+import { savedFileName } from '../../web/element/file-name.ts';
 
 describe('the slider', () => {
   test('reaches from 0.01 % to 20 %', () => {
@@ -27,5 +27,5 @@ test.each([
   ['???.vtp', 'ply', 'surface-reduced.ply'],
   ['wing.obj.gz', 'ply', 'wing-reduced.ply'],
 ])('%j is saved as %s under the name %j', (opened, format, saved) =>
-  expect(reducedFileName(opened, format)).toBe(saved),
+  expect(savedFileName(opened, 'reduced', format)).toBe(saved),
 );

@@ -62,7 +62,7 @@ describe('opening', () => {
     expect(runs[0].options.bounds).toEqual({ position: { relative: 0.01 }, pressure: { relative: 0.03 } });
     runs[0].finish();
     await settled();
-    expect(session.state.result?.mesh).toBe(session.state.surface?.mesh);
+    expect(session.state.reduced?.result.mesh).toBe(session.state.surface?.mesh);
     expect(session.state.progress).toBeNull();
   });
 
@@ -79,14 +79,14 @@ describe('opening', () => {
     await session.openFile(file('good.ply'));
     runs[0].finish();
     await settled();
-    const { surface, result, bounds } = session.state;
+    const { surface, reduced, bounds } = session.state;
     await session.openFile(file('bad.ply'));
     expect(session.state).toMatchObject({
       opening: null,
       notices: [{ kind: 'error', text: 'bad.ply: The file is empty.' }],
     });
     expect(session.state.surface).toBe(surface);
-    expect(session.state.result).toBe(result);
+    expect(session.state.reduced).toBe(reduced);
     expect(session.state.bounds).toBe(bounds);
   });
 
@@ -163,7 +163,7 @@ describe('changing a bound', () => {
     session.setAllBounds(0.1);
     runs[0].finish();
     await vi.waitFor(() => expect(runs).toHaveLength(2));
-    expect(session.state.result).not.toBeNull();
+    expect(session.state.reduced).not.toBeNull();
     expect(session.state.progress).toBe(0);
     expect(runs[1].options.bounds.pressure).toEqual({ relative: 0.1 });
     runs[1].finish();
@@ -187,7 +187,7 @@ describe('changing a bound', () => {
     await settled();
     runs[0].finish();
     await settled();
-    expect(session.state.result).toBeNull();
+    expect(session.state.reduced).toBeNull();
     runs[0].options.onProgress?.(0.9);
     expect(session.state.progress).toBe(0);
   });
@@ -196,12 +196,12 @@ describe('changing a bound', () => {
     const { session, runs } = await opened();
     runs[0].finish();
     await settled();
-    const { result } = session.state;
+    const { reduced } = session.state;
     session.setBound('pressure', { fraction: 1e-30, free: false });
     await settled();
     runs[1].fail(new Error('The bound is too fine.'));
     await settled();
-    expect(session.state.result).toBe(result);
+    expect(session.state.reduced).toBe(reduced);
     expect(session.state.progress).toBeNull();
     expect(texts(session)).toContain('The bound is too fine.');
   });
@@ -250,14 +250,14 @@ describe('cancelling', () => {
     await session.openFile(file('a.ply'));
     runs[0].finish();
     await settled();
-    const { result } = session.state;
+    const { reduced } = session.state;
     session.setAllBounds(0.1);
     await settled();
     session.cancel();
     expect(runs[1].options.signal?.aborted).toBe(true);
     await settled();
     expect(session.state).toMatchObject({ progress: null, cancelled: true, notices: [{ kind: 'note' }] });
-    expect(session.state.result).toBe(result);
+    expect(session.state.reduced).toBe(reduced);
   });
 
   test('ends one that has not started yet', async () => {
@@ -278,7 +278,7 @@ describe('cancelling', () => {
     await settled();
     runs[1].finish();
     await settled();
-    expect(session.state.result).not.toBeNull();
+    expect(session.state.reduced).not.toBeNull();
   });
 
   test('means nothing where nothing runs', () => {

@@ -1,7 +1,7 @@
+import type { ReportOptions } from '../session/report-json.ts';
 import { oneOf, parseArguments } from './arguments.ts';
 import { parseBounds } from './bound-arguments.ts';
 import { UsageFault } from './fault.ts';
-import type { ReportOptions } from './report.ts';
 import { outputFormat } from './surface-files.ts';
 
 export const help = `Reduces a surface so that every bound holds at every point of it.

@@ -1,15 +1,17 @@
 import { type Mesh, MeshboundError, type Reduction, reduce as reduceMesh } from '../../wasm/index.ts';
+import { takenMapNames, triangleName, withMap } from '../formats/map-variables.ts';
+import { listed } from '../formats/wording.ts';
 import { oddityNotes } from '../session/oddity-notes.ts';
+import { reportJson } from '../session/report-json.ts';
 import { requireKnown, requireKnownBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
 import { exitStatus } from './exit-status.ts';
 import { Fault, faultOf, UsageFault } from './fault.ts';
 import { interruptible } from './interruption.ts';
-import { requireMapNames, triangleName, withMap } from './map-variables.ts';
 import { sayNotes } from './notes.ts';
 import { ProgressBar } from './progress-bar.ts';
 import { help, parseRequest, type Request } from './reduce-arguments.ts';
-import { freeNotes, reportJson, reportText } from './report.ts';
+import { freeNotes, reportText } from './report.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
 
@@ -25,6 +27,12 @@ async function openInput({ input, variables: csv, exclude, options, map }: Reque
     await requirePlaceFor(triangleName, map);
   }
   return surface;
+}
+
+/** Throws a Fault where the names that the map needs are taken by variables of the surface. */
+function requireMapNames({ path, mesh }: OpenedSurface): void {
+  const taken = takenMapNames(mesh);
+  if (taken.length > 0) throw new Fault(`${path}: --map needs the names of the variables ${listed(taken)} for itself.`);
 }
 
 async function reduceSurface({ path, mesh, locked }: OpenedSurface, request: Request, signal: AbortSignal) {

@@ -1,29 +1,8 @@
 import type { Report } from '../../wasm/index.ts';
 import { counted, grouped, listed } from '../formats/wording.ts';
-import { type Bounds, boundOf } from './bound-arguments.ts';
+import type { ReportOptions } from '../session/report-json.ts';
+import { boundOf } from './bound-arguments.ts';
 import { numberText, roundedUpText, textTable } from './text-table.ts';
-
-/** How a reduction was asked for. */
-export interface ReportOptions {
-  bounds: Bounds;
-  errors: 'tracked' | 'propagated';
-  cost: 'max' | 'introduced';
-}
-
-/** What `--report` writes; its shape is documented in docs/command-line.md and stable. */
-export function reportJson(report: Report, options: ReportOptions): string {
-  const { triangles, seconds, stopped } = report;
-  const variables = report.variables.map(({ name, components, extent, constant, bound, error, ratio }) => ({
-    name,
-    components,
-    extent,
-    constant,
-    bound: Number.isFinite(bound) ? bound : null,
-    error,
-    ratio: Number.isFinite(bound) ? ratio : null,
-  }));
-  return `${JSON.stringify({ triangles, variables, seconds, options, stopped }, undefined, 2)}\n`;
-}
 
 /** The same for people. */
 export function reportText(

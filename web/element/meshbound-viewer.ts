@@ -1,31 +1,82 @@
 import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
 import { inspect, reduce } from '../../wasm/index.ts';
-import type { Report } from '../../wasm/types.ts';
+import type { Reduction, Report } from '../../wasm/types.ts';
 import type { ValueColormap } from '../colour/colormaps.ts';
-import type { Format } from '../formats/surface.ts';
-import { asBounds } from '../session/bound-setting.ts';
+import { asBounds, largestFraction } from '../session/bound-setting.ts';
 import { boundsText, readBounds } from '../session/bound-text.ts';
 import { fetchBytes } from '../session/fetch-bytes.ts';
 import { readInWorker } from '../session/read.ts';
 import { Session, type SessionState } from '../session/session.ts';
-import { reducedFileName } from './file-name.ts';
+import './bound-slider.ts';
+import { controlsStyle } from './controls-style.ts';
+import { download, type SavedKind, savedFile } from './download.ts';
 import './notices.ts';
-import { save } from './save.ts';
+import { percentText } from './number-text.ts';
+import { overall, type Phase, type Step, stepOf } from './progress.ts';
+import { isMeasured, promiseSentence } from './promise-words.ts';
 import type { Stage } from './stage.ts';
 import './stage.ts';
 import { tokens } from './tokens.ts';
-import { firstView, type Quantity, sameView, settingsFor, type ViewSettings } from './view-settings.ts';
+import './view-controls.ts';
+import {
+  firstView,
+  type Quantity,
+  sameView,
+  settingsFor,
+  type ViewSettings,
+  type WantedView,
+} from './view-settings.ts';
+
+/** How near to the window's part in sight a lazy viewer begins to load. */
+const lazyMargin = '200px';
 
 /**
- * A surface and its reduction within proved bounds, side by side.
+ * A surface that carries data, and its reduction within proved bounds.
  *
  * @tag meshbound-viewer
- * @fires load - A surface is open: `{ name, variables }`.
- * @fires reduce - A reduction has ended well: its report.
- * @fires progress - `{ progress }`, 0…1.
- * @fires error - `{ code, message }`; what was shown before stays.
+ *
+ * @fires {CustomEvent<{ name: string, variables: string[] }>} load - A surface is open.
+ * @fires {CustomEvent<{ phase: Phase, progress: number }>} progress - What is being done, and how far everything is, 0…1.
+ * @fires {CustomEvent<Report>} reduce - A reduction has ended well: its report.
+ * @fires {CustomEvent<{ code: string, message: string }>} error - Something is at fault. What was shown before stays.
+ *
+ * @slot poster - Shown until the first surface is drawn, instead of the image that `poster` names.
+ * @slot controls - Further controls, in the bar that `controls` shows.
+ *
+ * @csspart stage - Where the surfaces are drawn.
+ * @csspart pane - The part of the stage of one surface.
+ * @csspart canvas - The picture under the panes.
+ * @csspart caption - What a pane shows: original or reduced, and how many triangles.
+ * @csspart legend - What the colours mean.
+ * @csspart legend-title - The name and the unit of what is shown.
+ * @csspart legend-bar - The colours.
+ * @csspart legend-ticks - The numbers that they stand for.
+ * @csspart poster - The image before the first surface.
+ * @csspart notice - A message over the stage.
+ * @csspart progress - How far the work is: a line at the lower edge of the stage.
+ * @csspart controls - The bar of controls above the stage.
+ * @csspart sentence - The result in words below the stage.
+ *
+ * @cssprop --meshbound-stage - Behind the surfaces.
+ * @cssprop --meshbound-panel - Behind controls and messages.
+ * @cssprop --meshbound-ink - Text.
+ * @cssprop --meshbound-ink-soft - Text of less weight.
+ * @cssprop --meshbound-line - Lines between parts.
+ * @cssprop --meshbound-control - Behind buttons, choices and fields.
+ * @cssprop --meshbound-control-hover - Behind them while pointed at.
+ * @cssprop --meshbound-control-line - Around them.
+ * @cssprop --meshbound-accent - What is chosen, and progress.
+ * @cssprop --meshbound-accent-soft - The track of a bound.
+ * @cssprop --meshbound-fault - Text of a fault.
+ * @cssprop --meshbound-fault-soft - Behind it.
+ * @cssprop --meshbound-veil - Behind captions and legends.
+ * @cssprop --meshbound-gap - Room between controls.
+ * @cssprop --meshbound-radius - Of corners.
+ * @cssprop --meshbound-text - Size of text.
+ * @cssprop --meshbound-text-small - Size of text in legends.
+ * @cssprop --meshbound-font - Family of text.
  */
-export class MeshboundViewer extends LitElement {
+export class MeshboundViewer extends LitElement implements WantedView {
   static override properties = {
     // Setting the same address again loads it again.
     src: { hasChanged: () => true },
@@ -36,24 +87,46 @@ export class MeshboundViewer extends LitElement {
     colormap: {},
     edges: { type: Boolean },
     unlinked: { type: Boolean },
+    controls: { type: Boolean },
+    poster: {},
+    loading: {},
     alt: {},
+    drawnOnce: { state: true },
   };
 
   static override styles = [
     tokens,
+    controlsStyle,
     css`
       :host {
-        display: block;
-        position: relative;
+        display: flex;
+        flex-direction: column;
         min-height: 120px;
         aspect-ratio: 2;
+        background: var(--panel);
       }
       :host([hidden]) {
         display: none;
       }
-      meshbound-stage {
+      .stage {
+        position: relative;
+        flex: 1;
+        min-height: 0;
+      }
+      meshbound-stage,
+      .poster {
         position: absolute;
         inset: 0;
+      }
+      .poster {
+        display: grid;
+        place-items: center;
+        overflow: hidden;
+      }
+      .poster img {
+        width: 100%;
+        height: 100%;
+        object-fit: contain;
       }
       meshbound-notices {
         position: absolute;
@@ -63,32 +136,80 @@ export class MeshboundViewer extends LitElement {
         width: min(620px, 100% - 24px);
         transform: translateX(-50%);
       }
+      .progress {
+        position: absolute;
+        bottom: 0;
+        left: 0;
+        height: 2px;
+        background: var(--accent);
+      }
+      .controls {
+        display: flex;
+        flex-wrap: wrap;
+        gap: var(--gap) 16px;
+        align-items: center;
+        padding: 8px 12px;
+        border-bottom: 1px solid var(--line);
+        container: bar / inline-size;
+      }
+      .all {
+        display: flex;
+        flex: 1 1 200px;
+        gap: var(--gap);
+        align-items: center;
+      }
+      meshbound-bound-slider {
+        flex: 1;
+      }
+      .sentence {
+        /* Room for two lines, so that the stage keeps its height. */
+        min-height: calc(2 * 1.4em + 17px);
+        padding: 8px 12px;
+        border-top: 1px solid var(--line);
+        overflow-wrap: anywhere;
+      }
     `,
   ];
 
-  /** The address of a surface: PLY, VTP, legacy VTK, glTF, OBJ or STL. */
+  /** The address of a surface: PLY, VTP, legacy VTK, glTF, OBJ or STL, packed by gzip or not. */
   declare src: string | null;
   /** What the surfaces are coloured by: a variable, `position` among them. Default: the first that varies. */
   declare variable: string | null;
-  /** Which component of a vector: `magnitude`, or what it is called (x, y, z, or the name in the file). */
+  /** Which component of a vector: `magnitude` (default), or what it is called: x, y, z, or as in the file. */
   declare component: string | null;
-  /** `value`, `error` (as a share of the bound) or `signed-error`. */
+  /** What is shown of the variable: `value` (default), `error` as a share of its bound, or `signed-error`. */
   declare show: Quantity | null;
-  /** The map for values; errors have maps of their own. */
+  /** The map for values; errors have maps of their own. Default: viridis. */
   declare colormap: ValueColormap | null;
-  /** Draws the edges of the triangles. */
+  /** Whether the edges of the triangles are drawn. */
   declare edges: boolean;
-  /** A camera for each side instead of one for both. */
+  /** Whether each side has a camera of its own, instead of one for both. */
   declare unlinked: boolean;
+  /** Whether there are a bar of controls above the stage and the result in words below it. */
+  declare controls: boolean;
+  /** The address of an image to show until the first surface is drawn. */
+  declare poster: string | null;
+  /** `lazy`: nothing is loaded before the element comes near the part of the page in sight. */
+  declare loading: 'eager' | 'lazy' | null;
   /** What the surface is, for those who cannot see it. */
   declare alt: string | null;
+  /** Whether the poster has done its duty. @internal */
+  declare drawnOnce: boolean;
 
   /** What is open, asked for and reached; for the page that is built around the element. @internal */
   readonly session = new Session({ inspect, reduce, read: readInWorker, fetchBytes });
-  /** The same object until something in it changes, so that nothing is painted anew for nothing. */
-  #settings = firstView;
   /** What the last change of the session was compared with. */
   #seen: SessionState = this.session.state;
+  /** The same object until something in it changes, so that nothing is painted anew for nothing. */
+  #settings = firstView;
+  /** Whether the stage shows the last result. */
+  #drawn = true;
+  /** Whether this browser can draw at all. */
+  #drawable = true;
+  /** What the work that goes on began with, and what was last told of it. */
+  #first: Phase | null = null;
+  #step: Step | null = null;
+  #sight: IntersectionObserver | null = null;
 
   constructor() {
     super();
@@ -99,11 +220,21 @@ export class MeshboundViewer extends LitElement {
     this.colormap = null;
     this.edges = false;
     this.unlinked = false;
+    this.controls = false;
+    this.poster = null;
+    this.loading = null;
     this.alt = null;
+    this.drawnOnce = false;
     this.session.addEventListener('change', () => this.#sessionChanged());
   }
 
-  /** The bounds in force, as text: `position: 1%; pressure: 3%; velocity: 0.2`. What cannot be a bound is refused. */
+  /**
+   * The bounds as text: `position: 1%; pressure: 3%; velocity: 0.2`, in percent of the variable's extent or in its unit;
+   * `free` is no bound, `*` stands for every variable not named. A variable that none reaches is free. What cannot be a
+   * bound is refused. Default: 1 % in space and 3 % in every variable. Read, the bounds in force.
+   *
+   * @attr
+   */
   get bounds(): string {
     return boundsText(asBounds(this.session.state.bounds));
   }
@@ -118,7 +249,12 @@ export class MeshboundViewer extends LitElement {
 
   /** What the last reduction reached; null where there is none. */
   get report(): Report | null {
-    return this.session.state.result?.report ?? null;
+    return this.reduction?.report ?? null;
+  }
+
+  /** The last reduction: mesh, map, errors, report; null where there is none. Its arrays are the viewer's. */
+  get reduction(): Reduction | null {
+    return this.session.state.reduced?.result ?? null;
   }
 
   /** How the surfaces are looked at: what is asked for, as far as the surface has it. @internal */
@@ -133,12 +269,18 @@ export class MeshboundViewer extends LitElement {
     return this.session.openFile(file);
   }
 
-  /** Starts the reduction anew. */
-  reduce(): void {
+  /**
+   * Reduces anew. Resolves to the report; rejects with an AbortError where the reduction is aborted, and with an Error
+   * where it fails or there is nothing to reduce.
+   */
+  reduce(): Promise<Report> {
+    const { state } = this.session;
+    if (!state.surface) return Promise.reject(new Error('No surface is open.'));
     this.session.reduceAgain();
+    return this.#outcome();
   }
 
-  /** Stops what is running; the last result stays. */
+  /** Stops what is loaded or reduced. What was shown before stays. */
   abort(): void {
     this.session.cancel();
   }
@@ -148,58 +290,187 @@ export class MeshboundViewer extends LitElement {
     this.#stage?.fit();
   }
 
-  /** Offers the reduced surface as a download. */
-  async save(format: Format): Promise<void> {
-    const { surface, result } = this.session.state;
-    if (!surface || !result) return;
+  /**
+   * Offers a download: the reduced surface as `ply`, `vtp`, `vtk`, `glb`, `obj` or `stl`, the `report` as JSON, or the `map`
+   * as VTP (the original with where each vertex went and what error it has there). What a format cannot hold is said.
+   */
+  async save(kind: SavedKind): Promise<void> {
+    const { surface, reduced } = this.session.state;
+    if (!surface || !reduced) return;
     try {
-      await save(result.mesh, surface.labels, format, reducedFileName(surface.name, format));
+      const { name, content, losses } = await savedFile(surface, reduced, kind);
+      download(name, content);
+      for (const loss of losses) this.session.tell(`${name}: ${loss}`);
     } catch (error) {
       this.session.report(error);
     }
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#sight?.disconnect();
+    // Moved within the document, it is back at once.
+    queueMicrotask(() => this.isConnected || this.session.stop());
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('src') && this.src) this.#load();
+  }
+
+  override render() {
+    const { surface, reduced, progress, notices } = this.session.state;
+    return html`
+      ${this.controls ? this.#controls() : nothing}
+      <div class="stage" part="stage">
+        <meshbound-stage
+          role="group"
+          aria-label=${this.alt ?? (surface?.name || nothing)}
+          exportparts="pane, caption, legend, legend-title, legend-bar, legend-ticks, canvas"
+          .surface=${surface}
+          .result=${reduced?.result ?? null}
+          .reducing=${progress !== null}
+          .settings=${this.settings}
+          @stage-drawn=${this.#stageDrawn}
+          @stage-fault=${this.#stageFault}
+        ></meshbound-stage>
+        ${this.drawnOnce ? nothing : this.#poster()}
+        ${this.#progress()}
+        <meshbound-notices
+          exportparts="notice"
+          .notices=${notices}
+          @dismiss=${({ detail }: CustomEvent<number>) => this.session.dismiss(detail)}
+        ></meshbound-notices>
+      </div>
+      ${this.controls ? this.#sentence() : nothing}
+    `;
+  }
+
+  #poster() {
+    const image = this.poster ? html`<img part="poster" src=${this.poster} alt="" />` : nothing;
+    return html`<div class="poster"><slot name="poster">${image}</slot></div>`;
+  }
+
+  #progress() {
+    if (!this.#step || !this.#first) return nothing;
+    const width = `width:${100 * overall(this.#step, this.#first)}%`;
+    return html`<div class="progress" part="progress" aria-hidden="true" .style=${width}></div>`;
+  }
+
+  #controls() {
+    const { surface, bounds } = this.session.state;
+    const fraction = surface ? largestFraction(bounds) : 0;
+    return html`<div class="controls" part="controls">
+      <label class="all">
+        <span class="soft">Bounds</span>
+        <meshbound-bound-slider
+          label="All bounds"
+          spoken="largest ${percentText(fraction)}"
+          .fraction=${fraction}
+          ?disabled=${!surface}
+          @bound-input=${({ detail }: CustomEvent<number>) => this.session.setAllBounds(detail)}
+        ></meshbound-bound-slider>
+        <span>${surface ? percentText(fraction) : ''}</span>
+      </label>
+      <meshbound-view-controls
+        .surface=${surface}
+        .bounds=${bounds}
+        .settings=${this.settings}
+        @view-change=${({ detail }: CustomEvent<Partial<WantedView>>) => Object.assign(this, detail)}
+        @fit=${this.fit}
+      ></meshbound-view-controls>
+      <slot name="controls"></slot>
+    </div>`;
+  }
+
+  #sentence() {
+    const { reduction } = this;
+    const text = reduction ? promiseSentence(reduction.report, isMeasured(reduction)) : '';
+    return html`<p class="sentence" part="sentence" role="status">${text}</p>`;
   }
 
   get #stage(): Stage | null {
     return this.renderRoot.querySelector<Stage>('meshbound-stage');
   }
 
-  override willUpdate(changed: PropertyValues<this>): void {
-    if (changed.has('src') && this.src) void this.session.openAddress(this.src);
+  #load(): void {
+    this.#sight?.disconnect();
+    if (this.loading === 'lazy') this.#loadInSight();
+    else this.#loadNow();
   }
 
-  override render() {
-    const { surface, result, progress, notices } = this.session.state;
-    return html`
-      <meshbound-stage
-        role="group"
-        aria-label=${this.alt ?? (surface?.name || nothing)}
-        exportparts="pane, caption, legend, legend-title, legend-bar, legend-ticks, canvas"
-        .surface=${surface}
-        .result=${result}
-        .reducing=${progress !== null}
-        .settings=${this.settings}
-        @stage-fault=${({ detail }: CustomEvent<string>) => this.session.report(detail, { lasting: true })}
-      ></meshbound-stage>
-      <meshbound-notices
-        exportparts="notice"
-        .notices=${notices}
-        @dismiss=${({ detail }: CustomEvent<number>) => this.session.dismiss(detail)}
-      ></meshbound-notices>
-    `;
+  #loadNow(): void {
+    if (this.src) void this.session.openAddress(this.src);
+  }
+
+  #loadInSight(): void {
+    this.#sight = new IntersectionObserver(
+      (entries, observer) => {
+        if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+        observer.disconnect();
+        this.#loadNow();
+      },
+      { rootMargin: lazyMargin },
+    );
+    this.#sight.observe(this);
+  }
+
+  /** How the running reduction ends. */
+  #outcome(): Promise<Report> {
+    const before = this.reduction;
+    return new Promise((resolve, reject) => {
+      const listen = () => {
+        const { progress, cancelled, notices } = this.session.state;
+        if (progress !== null) return;
+        this.session.removeEventListener('change', listen);
+        const fault = notices.findLast(({ ofReduction }) => ofReduction)?.text;
+        if (cancelled) reject(new DOMException('The reduction was aborted.', 'AbortError'));
+        else if (this.report && this.reduction !== before) resolve(this.report);
+        else reject(new Error(fault ?? 'The reduction failed.'));
+      };
+      this.session.addEventListener('change', listen);
+    });
   }
 
   #sessionChanged(): void {
     const [before, now] = [this.#seen, this.session.state];
     this.#seen = now;
     this.requestUpdate();
+    if (now.reduced !== before.reduced) this.#drawn = now.reduced === null;
     if (now.surface && now.surface !== before.surface) {
       const { name, variables } = now.surface;
-      this.#fire('load', { name, variables });
+      this.#fire('load', { name, variables: variables.map((variable) => variable.name) });
     }
-    if (now.progress !== null && now.progress !== before.progress) this.#fire('progress', { progress: now.progress });
-    if (now.result && now.result !== before.result) this.#fire('reduce', now.result.report);
+    this.#tellProgress();
+    if (now.reduced && now.reduced !== before.reduced) this.#fire('reduce', now.reduced.result.report);
     for (const { kind, code, text } of now.notices.filter((notice) => !before.notices.includes(notice))) {
       if (kind === 'error') this.#fire('error', { code, message: text });
+    }
+  }
+
+  #stageDrawn(): void {
+    this.drawnOnce = true;
+    if (this.#drawn) return;
+    this.#drawn = true;
+    this.#tellProgress();
+    this.requestUpdate();
+  }
+
+  #stageFault({ detail }: CustomEvent<string>): void {
+    this.#drawable = false;
+    this.session.report(detail, { lasting: true });
+  }
+
+  #tellProgress(): void {
+    const step = stepOf(this.session.state, this.#drawn || !this.#drawable);
+    const told = this.#step;
+    this.#step = step;
+    if (step) {
+      this.#first ??= step.phase;
+      if (told?.phase === step.phase && told.progress === step.progress) return;
+      this.#fire('progress', { phase: step.phase, progress: overall(step, this.#first) });
+    } else if (this.#first) {
+      this.#first = null;
+      if (told?.phase === 'draw') this.#fire('progress', { phase: 'draw', progress: 1 });
     }
   }
 

@@ -20,6 +20,7 @@ const reduced = 1;
  * The original and the reduced surface side by side, with their legends. A side shows its last surface until the next is
  * ready to draw.
  *
+ * @fires stage-drawn when both sides show what they are to show
  * @fires stage-fault with a message where nothing can be drawn
  */
 export class Stage extends LitElement {
@@ -207,23 +208,25 @@ export class Stage extends LitElement {
   #showOriginal(): void {
     if (this.surface) this.#frame = frameOf(this.surface.mesh.position);
     this.fit();
-    this.#show(original, this.surface?.mesh ?? null);
+    void this.#show(original, this.surface?.mesh ?? null);
   }
 
   #showReduced(): void {
     const { result } = this;
-    this.#show(reduced, result?.mesh ?? null, () => {
+    void this.#show(reduced, result?.mesh ?? null, () => {
       this.#drawnResult = result;
       if (this.settings.quantity !== 'value') this.#repaint(original);
     });
   }
 
-  #show(side: number, mesh: Mesh | null, drawn = () => {}): void {
-    void this.#viewer?.show(side, mesh, this.#frame, () => {
+  async #show(side: number, mesh: Mesh | null, drawn = () => {}): Promise<void> {
+    await this.#viewer?.show(side, mesh, this.#frame, () => {
       this.#drawn[side] = mesh;
       drawn();
       return this.#paint(side);
     });
+    const complete = sides.every((_, each) => this.#drawn[each] === this.#due(each));
+    if (mesh && complete) this.dispatchEvent(new CustomEvent('stage-drawn'));
   }
 
   /** What is about to be replaced keeps its colours; what replaces it takes the new settings when it is drawn. */

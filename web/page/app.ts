@@ -90,7 +90,8 @@ export class App extends LitElement {
 
   override render() {
     const { session } = this.viewer;
-    const { surface, bounds, method, result, opening, progress, cancelled } = session.state;
+    const { surface, bounds, method, reduced, opening, progress, cancelled } = session.state;
+    const result = reduced?.result ?? null;
     const measured = result !== null && isMeasured(result);
     return html`
       <meshbound-toolbar

@@ -2,10 +2,10 @@ import { css, html, LitElement, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { VariableExtent, VariableReport } from '../../wasm/index.ts';
 import { type BoundSetting, wholeOf } from '../session/bound-setting.ts';
-import './bound-slider.ts';
+import '../element/bound-slider.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import { percentText, upperText, withUnit } from '../element/number-text.ts';
-import './percent-field.ts';
+import '../element/percent-field.ts';
 
 /**
  * The bound of one variable and what the result makes of it.

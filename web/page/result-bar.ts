@@ -2,7 +2,9 @@ import { css, html, LitElement, nothing } from 'lit';
 import type { Report } from '../../wasm/types.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import { percentText, secondsText } from '../element/number-text.ts';
+import { openingText } from '../element/progress.ts';
 import { promiseSentence } from '../element/promise-words.ts';
+import type { Opening } from '../session/session.ts';
 
 /** The formats that a reduced surface is saved in. */
 export const savedFormats = ['ply', 'vtp'] as const;
@@ -19,7 +21,7 @@ export class ResultBar extends LitElement {
   static override properties = {
     report: { attribute: false },
     measured: { type: Boolean },
-    opening: {},
+    opening: { attribute: false },
     progress: { attribute: false },
     cancelled: { type: Boolean },
   };
@@ -63,13 +65,6 @@ export class ResultBar extends LitElement {
           visibility: visible;
         }
       }
-      .progress {
-        position: absolute;
-        top: -1px;
-        left: 0;
-        height: 2px;
-        background: var(--accent);
-      }
     `,
   ];
 
@@ -77,8 +72,7 @@ export class ResultBar extends LitElement {
   declare report: Report | null;
   /** Whether the errors of the report were measured; otherwise they are limits from above. */
   declare measured: boolean;
-  /** The file that is being read. */
-  declare opening: string | null;
+  declare opening: Opening | null;
   /** Of the running reduction, 0…1; null where none runs. */
   declare progress: number | null;
   /** The last reduction was cancelled. */
@@ -95,11 +89,6 @@ export class ResultBar extends LitElement {
 
   override render() {
     return html`
-      ${
-        this.progress === null
-          ? nothing
-          : html`<div class="progress" aria-hidden="true" .style=${`width:${100 * this.progress}%`}></div>`
-      }
       <p class="sentence ${this.progress === null ? '' : 'provisional'}" role="status">
         ${this.report ? promiseSentence(this.report, this.measured) : ''}
       </p>
@@ -115,10 +104,10 @@ export class ResultBar extends LitElement {
   }
 
   #numbers() {
-    if (this.opening !== null) return html`<span>Reading ${this.opening}…</span>`;
+    if (this.opening) return html`<span>${openingText(this.opening)}</span>${this.#cancelButton()}`;
     if (this.progress !== null) {
       return html`<span>Reducing… ${Math.round(100 * this.progress)}&nbsp;%</span>
-        <button class="cancel" @click=${() => this.#fire('cancel')}>Cancel</button>`;
+        ${this.#cancelButton()}`;
     }
     if (this.cancelled) {
       const kept = this.report ? 'The result shown, and saved, is the one before.' : '';
@@ -129,6 +118,10 @@ export class ResultBar extends LitElement {
     const { triangles, seconds } = this.report;
     const removed = 1 - triangles.after / triangles.before;
     return html`<span>${percentText(removed)} removed in ${secondsText(seconds)}</span>`;
+  }
+
+  #cancelButton() {
+    return html`<button class="cancel" @click=${() => this.#fire('cancel')}>Cancel</button>`;
   }
 
   #save(format: SavedFormat): void {

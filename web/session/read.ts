@@ -1,5 +1,7 @@
 import type { Mesh } from '../../wasm/types.ts';
+import { fromAnyHost } from '../../workers/from-any-host.ts';
 import type { Labels } from '../formats/surface.ts';
+import type { Watchers } from './services.ts';
 
 /** What a file holds. */
 export interface OpenedFile {
@@ -17,11 +19,17 @@ export type ReadAnswer = { file: OpenedFile } | { code: string; message: string 
  * Reads a surface in a worker of its own, which the bytes are handed over to. The worker ends with the file: parsing
  * leaves several times the file's size behind, and a broken file may leave anything.
  */
-export function readInWorker(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<OpenedFile> {
+export function readInWorker(
+  name: string,
+  bytes: Uint8Array<ArrayBuffer>,
+  { signal }: Watchers = {},
+): Promise<OpenedFile> {
+  const Worker = fromAnyHost(globalThis.Worker);
   const worker = new Worker(new URL('./read.worker.ts', import.meta.url), { type: 'module' });
   const answer = new Promise<OpenedFile>((resolve, reject) => {
     worker.onmessage = ({ data }: MessageEvent<ReadAnswer>) =>
       'file' in data ? resolve(data.file) : reject(Object.assign(new Error(data.message), { code: data.code }));
+    signal?.addEventListener('abort', () => reject(signal.reason), { once: true });
     worker.onerror = ({ message }) => reject(new Error(message || 'The reader could not be started.'));
   });
   worker.postMessage({ name, bytes }, [bytes.buffer]);

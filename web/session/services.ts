@@ -1,11 +1,18 @@
 import type { Inspection, Mesh, ReduceOptions, Reduction } from '../../wasm/index.ts';
 import type { OpenedFile } from './read.ts';
 
+/** What a task that takes a while gets from who waits for it. */
+export interface Watchers {
+  signal?: AbortSignal;
+  /** Called with the progress, 0…1, never falling, where it is known. */
+  onProgress?: (progress: number) => void;
+}
+
 /** What a session needs of the world around it; tests give it other ones. */
 export interface Services {
   /** Rejects with an error that has a `code`, and a `variable` where one is at fault. */
-  inspect(mesh: Mesh): Promise<Inspection>;
+  inspect(mesh: Mesh, watchers?: Watchers): Promise<Inspection>;
   reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduction>;
-  read(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<OpenedFile>;
-  fetchBytes(address: string): Promise<Uint8Array<ArrayBuffer>>;
+  read(name: string, bytes: Uint8Array<ArrayBuffer>, watchers?: Watchers): Promise<OpenedFile>;
+  fetchBytes(address: string, watchers?: Watchers): Promise<Uint8Array<ArrayBuffer>>;
 }

@@ -35,8 +35,24 @@ export interface OpenSurface extends Source {
   locked: Uint32Array | undefined;
 }
 
+/** A file that is being opened. */
+export interface Opening {
+  name: string;
+  /** Fetched, read, or checked by the core. */
+  phase: 'download' | 'read' | 'check';
+  /** Of this phase, 0…1. */
+  progress: number;
+}
+
 /** How errors are accounted for, and what retriangulation makes small where they are propagated. */
 export type Method = Required<Pick<ReduceOptions, 'errors' | 'cost'>>;
+
+/** A result with what it was asked with. */
+export interface Reduced {
+  result: Reduction;
+  bounds: BoundSettings;
+  method: Method;
+}
 
 /** Something to tell the user, until dismissed. */
 export interface Notice {
@@ -55,8 +71,7 @@ export interface Notice {
 
 /** Never changed in place: a change replaces it. */
 export interface SessionState {
-  /** The file that is being read. */
-  opening: string | null;
+  opening: Opening | null;
   surface: OpenSurface | null;
   bounds: BoundSettings;
   method: Method;
@@ -65,7 +80,7 @@ export interface SessionState {
   /** The user stopped the last reduction: a result is that of the one before. */
   cancelled: boolean;
   /** The last good reduction of this surface: of earlier bounds where another one runs. */
-  result: Reduction | null;
+  reduced: Reduced | null;
   notices: readonly Notice[];
 }
 
@@ -82,7 +97,7 @@ const emptyState: SessionState = {
   method: { errors: 'tracked', cost: 'introduced' },
   progress: null,
   cancelled: false,
-  result: null,
+  reduced: null,
   notices: [],
 };
 
@@ -111,13 +126,19 @@ export class Session extends EventTarget {
   }
 
   openFile(file: File): Promise<void> {
-    const load = async () => this.#services.read(file.name, new Uint8Array(await file.arrayBuffer()));
-    return this.#open({ name: file.name, address: null }, load);
+    const bytes = async () => new Uint8Array(await file.arrayBuffer());
+    return this.#open({ name: file.name, address: null }, (signal) => this.#read(file.name, bytes, signal));
   }
 
   openAddress(address: string): Promise<void> {
-    const load = async () => this.#services.read(address, await this.#services.fetchBytes(address));
-    return this.#open({ name: nameIn(address), address }, load);
+    const name = nameIn(address);
+    return this.#open({ name, address }, (signal) => {
+      const onProgress = (progress: number) => {
+        if (!signal.aborted) this.#update({ opening: { name, phase: 'download', progress } });
+      };
+      onProgress(0);
+      return this.#read(name, () => this.#services.fetchBytes(address, { signal, onProgress }), signal);
+    });
   }
 
   /** Bounds for the surface that is open and for all that are opened after it; null for those that surfaces begin with. */
@@ -147,12 +168,22 @@ export class Session extends EventTarget {
     void this.#reduce();
   }
 
-  /** Stops the running reduction. The last result, if there is one, stays. */
+  /** Stops what is opened, or else the running reduction. The last surface and result, if there are, stay. */
   cancel(): void {
-    if (this.#state.progress === null) return;
-    clearTimeout(this.#timer);
-    this.#reducing.abort();
-    this.#update({ progress: null, cancelled: true });
+    if (this.#state.opening) {
+      this.#opening.abort();
+      this.#update({ opening: null });
+    } else if (this.#state.progress !== null) {
+      this.#stopReducing();
+      this.#update({ progress: null, cancelled: true });
+    }
+  }
+
+  /** Stops everything that runs, and tells nobody. */
+  stop(): void {
+    this.#opening.abort();
+    this.#stopReducing();
+    this.#state = { ...this.#state, opening: null, progress: null };
   }
 
   /** Tells the user of a fault; a lasting one is not about the file that is open. */
@@ -160,17 +191,39 @@ export class Session extends EventTarget {
     this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), lasting });
   }
 
+  /** Tells the user something worth knowing of what is open. */
+  tell(text: string): void {
+    this.#notify({ kind: 'note', text });
+  }
+
   dismiss(id: number): void {
     this.#update({ notices: this.#state.notices.filter((notice) => notice.id !== id) });
   }
 
-  async #open(source: Source, load: () => Promise<OpenedFile>): Promise<void> {
-    this.#update({ opening: source.name, notices: this.#state.notices.filter(({ lasting }) => lasting) });
+  #stopReducing(): void {
+    clearTimeout(this.#timer);
+    this.#isStale = false;
+    this.#reducing.abort();
+  }
+
+  async #read(name: string, bytes: () => Promise<Uint8Array<ArrayBuffer>>, signal: AbortSignal): Promise<OpenedFile> {
+    const content = await bytes();
+    signal.throwIfAborted();
+    this.#update({ opening: { name, phase: 'read', progress: 0 } });
+    return this.#services.read(name, content, { signal });
+  }
+
+  async #open(source: Source, load: (signal: AbortSignal) => Promise<OpenedFile>): Promise<void> {
+    const { name } = source;
+    const notices = this.#state.notices.filter(({ lasting }) => lasting);
+    this.#update({ opening: { name, phase: 'read', progress: 0 }, notices });
     let file: OpenedFile | undefined;
     try {
-      const inspected = await this.#opening.run(async () => {
-        file = await load();
-        return { file, inspection: await this.#services.inspect(file.mesh) };
+      const inspected = await this.#opening.run(async (signal) => {
+        file = await load(signal);
+        signal.throwIfAborted();
+        this.#update({ opening: { name, phase: 'check', progress: 0 } });
+        return { file, inspection: await this.#services.inspect(file.mesh, { signal }) };
       });
       if (inspected !== superseded) this.#adopt(source, inspected.file, inspected.inspection);
     } catch (error) {
@@ -183,7 +236,7 @@ export class Session extends EventTarget {
     this.#reducing.abort();
     const surface = { ...source, mesh, labels, variables, locked };
     const bounds = this.#firstBounds(variables);
-    this.#update({ opening: null, surface, bounds, progress: 0, cancelled: false, result: null });
+    this.#update({ opening: null, surface, bounds, progress: 0, cancelled: false, reduced: null });
     for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
     void this.#reduce();
   }
@@ -241,10 +294,12 @@ export class Session extends EventTarget {
         return this.#services.reduce(surface.mesh, options);
       });
       if (result === superseded) return;
-      this.#update({ result, progress: this.#isStale ? 0 : null });
+      this.#update({ reduced: { result, bounds, method }, progress: this.#isStale ? 0 : null });
     } catch (error) {
-      if (!this.#isStale) this.#update({ progress: null });
-      this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), ofReduction: true });
+      if (!this.#isStale) {
+        this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), ofReduction: true });
+        this.#update({ progress: null });
+      }
     }
     if (this.#isStale) await this.#reduce();
   }

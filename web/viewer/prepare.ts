@@ -1,3 +1,4 @@
+import { fromAnyHost } from '../../workers/from-any-host.ts';
 import type { Frame } from './frame.ts';
 import type { SurfaceArrays, Triangles } from './surface-arrays.ts';
 
@@ -14,7 +15,7 @@ export interface PrepareAnswer {
 
 /** Makes surfaces ready to draw, in a worker, so that the page stays responsive however large they are. */
 export class SurfacePreparer {
-  #worker = new Worker(new URL('./prepare.worker.ts', import.meta.url), { type: 'module' });
+  #worker = startWorker();
   #waiting = new Map<number, (arrays: SurfaceArrays) => void>();
   #lastId = 0;
 
@@ -40,4 +41,9 @@ export class SurfacePreparer {
     this.#worker.terminate();
     this.#waiting.clear();
   }
+}
+
+function startWorker(): Worker {
+  const Worker = fromAnyHost(globalThis.Worker);
+  return new Worker(new URL('./prepare.worker.ts', import.meta.url), { type: 'module' });
 }

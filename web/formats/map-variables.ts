@@ -1,7 +1,5 @@
 import type { Mesh, Reduction, Variable } from '../../wasm/index.ts';
-import { asFloatingPoint } from '../formats/precision.ts';
-import { listed } from '../formats/wording.ts';
-import { Fault } from './fault.ts';
+import { asFloatingPoint } from './precision.ts';
 
 export const triangleName = 'reduced_triangle';
 const barycentricName = 'reduced_barycentric';
@@ -13,14 +11,11 @@ function errorNames(name: string): { error: string; signedError: string } {
   return { error: `${name}_error`, signedError: `${name}_signed_error` };
 }
 
-/**
- * Throws a Fault where the names that the map needs are taken by variables of the surface.
- */
-export function requireMapNames({ path, mesh }: { path: string; mesh: Mesh }): void {
+/** The names of variables of the surface that the map needs for itself. */
+export function takenMapNames(mesh: Mesh): string[] {
   const names = ['position', ...mesh.variables.map(({ name }) => name)];
   const needed = new Set([triangleName, barycentricName, ...names.flatMap((name) => Object.values(errorNames(name)))]);
-  const taken = names.filter((name) => needed.has(name));
-  if (taken.length > 0) throw new Fault(`${path}: --map needs the names of the variables ${listed(taken)} for itself.`);
+  return names.filter((name) => needed.has(name));
 }
 
 /**

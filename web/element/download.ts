@@ -1,0 +1,57 @@
+import { formatNames } from '../formats/format-names.ts';
+import { takenMapNames, withMap } from '../formats/map-variables.ts';
+import type { Format } from '../formats/surface.ts';
+import { listed } from '../formats/wording.ts';
+import { lossesOf, writeSurface } from '../formats/write.ts';
+import { asBounds } from '../session/bound-setting.ts';
+import { reportJson } from '../session/report-json.ts';
+import type { OpenSurface, Reduced } from '../session/session.ts';
+import { savedFileName } from './file-name.ts';
+
+/** What can be saved of a reduction: the surface in each format, the report, the original with the map. */
+export const savedKinds = [...(Object.keys(formatNames) as Format[]), 'report', 'map'] as const;
+export type SavedKind = (typeof savedKinds)[number];
+
+interface Saved {
+  name: string;
+  content: Uint8Array | string;
+  /** What the file does not hold, a sentence each. */
+  losses: string[];
+}
+
+/** A reduction as a file of this kind. Rejects where the file cannot hold it. */
+export async function savedFile(surface: OpenSurface, reduced: Reduced, kind: SavedKind): Promise<Saved> {
+  const { mesh } = reduced.result;
+  if (kind === 'map') return mapFile(surface, reduced);
+  if (kind === 'report') {
+    return { name: savedFileName(surface.name, 'report', 'json'), content: reportOf(reduced), losses: [] };
+  }
+  const content = await writeSurface(kind, mesh, surface.labels);
+  return { name: savedFileName(surface.name, 'reduced', kind), content, losses: await lossesOf(kind, mesh) };
+}
+
+function reportOf({ result, bounds, method }: Reduced): string {
+  const cost = method.cost === 'maximum' ? 'max' : 'introduced';
+  return reportJson(result.report, { bounds: asBounds(bounds), errors: method.errors, cost });
+}
+
+/** As VTP, which holds doubles, and which the programs of the field read. */
+async function mapFile({ name, mesh, labels }: OpenSurface, { result }: Reduced): Promise<Saved> {
+  if (!result.map) throw new Error('There is no map: only tracked errors make one.');
+  const taken = takenMapNames(mesh);
+  if (taken.length > 0) throw new Error(`The map needs the names of the variables ${listed(taken)} for itself.`);
+  const content = await writeSurface('vtp', withMap(mesh, result), labels);
+  return { name: savedFileName(name, 'map', 'vtp'), content, losses: [] };
+}
+
+/** Offers a file as a download. */
+export function download(name: string, content: Blob | Uint8Array | string): void {
+  const blob = content instanceof Blob ? content : new Blob([content as Uint8Array<ArrayBuffer> | string]);
+  const address = URL.createObjectURL(blob);
+  const link = document.createElement('a');
+  link.href = address;
+  link.download = name;
+  link.click();
+  // The download has its own hold on the data once it has started.
+  setTimeout(() => URL.revokeObjectURL(address));
+}
