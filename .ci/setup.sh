@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Installs what is missing, and nothing else, so that running it again costs nothing:
 #
-#     .ci/setup.sh [start|test|bench]
+#     .ci/setup.sh [start|test|bench|api]
 #
 # start: what building and serving the page needs. test (the default): what the tests and linters need as well. bench: what
-# the benchmark needs.
+# the benchmark needs. api: what makes the pages of headers and types.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,6 +17,7 @@ packages=("${to_start[@]}")
 case "${1:-test}" in
     test) packages+=("${to_test[@]}") ;;
     bench) packages+=("${to_bench[@]}") ;;
+    api) packages=(doxygen) ;;
 esac
 
 installed() {

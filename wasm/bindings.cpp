@@ -1,6 +1,8 @@
 #include <chrono>
 #include <exception>
 #include <new>
+#include <utility>
+#include <vector>
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
@@ -56,18 +58,39 @@ val guarded(Call call) {
 }
 
 /// `on_progress(progress)` returns whether to go on.
+Progress progress_from(const val& on_progress) {
+    return [&on_progress](double done) { return on_progress(done).as<bool>(); };
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 val reduce_mesh(const val& mesh, const val& options, const val& on_progress) {
     return guarded([&] {
         const Mesh input = mesh_from(mesh);
         const Bounds bounds = bounds_from(options["bounds"]);
         const Options settings = options_from(options);
-        const Progress progress = [&](double done) { return on_progress(done).as<bool>(); };
 
         Reduction reduction;
         const auto start = std::chrono::steady_clock::now();
-        const Status status = reduce(input, bounds, settings, reduction, progress);
-        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-        return status.ok() ? success(reduction_to(reduction, elapsed.count())) : failure(status);
+        const Status status = reduce(input, bounds, settings, reduction, progress_from(on_progress));
+        const double seconds = seconds_since(start);
+        return status.ok() ? success(reduction_to(reduction, seconds)) : failure(status);
+    });
+}
+
+val reduce_mesh_to_levels(const val& mesh, const val& options, const val& on_progress) {
+    return guarded([&] {
+        const Mesh input = mesh_from(mesh);
+        const std::vector<Bounds> bounds = level_bounds_from(options["levels"]);
+        const LevelOptions settings = level_options_from(options);
+
+        Levels levels;
+        const auto start = std::chrono::steady_clock::now();
+        const Status status = reduce_levels(input, bounds, settings, levels, progress_from(on_progress));
+        const double seconds = seconds_since(start);
+        return status.ok() ? success(levels_to(std::move(levels), seconds)) : failure(status);
     });
 }
 
@@ -90,6 +113,7 @@ val inspect_mesh(const val& mesh) {
 
 EMSCRIPTEN_BINDINGS(meshbound) {
     emscripten::function("reduce", &reduce_mesh);
+    emscripten::function("reduceLevels", &reduce_mesh_to_levels);
     emscripten::function("inspect", &inspect_mesh);
 }
 

@@ -20,6 +20,12 @@ Mesh mesh_from(const emscripten::val& mesh);
 /// The bounds of `ReduceOptions`. Throws ShapeError.
 Bounds bounds_from(const emscripten::val& bounds);
 
+/// The bounds of every level of `LevelsOptions`. Throws ShapeError.
+std::vector<Bounds> level_bounds_from(const emscripten::val& levels);
+
+/// The rest of `LevelsOptions`. Throws ShapeError.
+LevelOptions level_options_from(const emscripten::val& options);
+
 /// The rest of `ReduceOptions`; what is left out keeps the core's default. Throws ShapeError.
 Options options_from(const emscripten::val& options);
 

@@ -1,9 +1,9 @@
 import { checkMesh, copyMesh } from './copy-mesh.ts';
 import type { Inspection } from './inspection.ts';
 import { TaskQueue } from './task-queue.ts';
-import type { Mesh, ReduceOptions, Reduction } from './types.ts';
+import type { Levels, LevelsOptions, Mesh, ReduceOptions, Reduction } from './types.ts';
 
-export { type ErrorCode, MeshboundError } from './errors.ts';
+export { type ErrorCode, type Failure, MeshboundError } from './errors.ts';
 export type { Inspection, VariableExtent } from './inspection.ts';
 export type * from './types.ts';
 
@@ -29,6 +29,23 @@ export async function reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduct
     options: { ...rest, locked: locked?.slice() },
   } as const;
   return (await queue.run(task, { signal, onProgress })) as Reduction;
+}
+
+/**
+ * Reduces a mesh to nested levels of detail, one for each of the bounds, finest first: each continues from the one before, so
+ * its vertices are a subset of the finer one's, and each keeps its own bounds against the original, as `reduce` promises.
+ *
+ * Runs and rejects as `reduce` does; with the code `bad_levels` where a bound falls from one level to the next or none rises.
+ */
+export async function reduceLevels(mesh: Mesh, options: LevelsOptions): Promise<Levels> {
+  const { signal, onProgress, locked, transfer, ...rest } = options;
+  checkMesh(mesh);
+  const task = {
+    kind: 'reduceLevels',
+    mesh: transfer ? mesh : copyMesh(mesh),
+    options: { ...rest, locked: locked?.slice() },
+  } as const;
+  return (await queue.run(task, { signal, onProgress })) as Levels;
 }
 
 /**

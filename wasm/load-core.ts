@@ -1,12 +1,13 @@
 import createModule from '../build/wasm/meshbound.mjs';
 import type { Inspection } from './inspection.ts';
-import type { CoreOptions, Outcome } from './messages.ts';
-import type { Mesh, Reduction } from './types.ts';
+import type { CoreLevelsOptions, CoreOptions, Outcome } from './messages.ts';
+import type { Levels, Mesh, Reduction } from './types.ts';
 
 /** The functions of wasm/bindings.cpp. They block until they are done. */
 export interface Core {
   /** Calls `goOn` every few milliseconds with the progress; `false` cancels. */
   reduce(mesh: Mesh, options: CoreOptions, goOn: (progress: number) => boolean): Outcome<Reduction>;
+  reduceLevels(mesh: Mesh, options: CoreLevelsOptions, goOn: (progress: number) => boolean): Outcome<Levels>;
   inspect(mesh: Mesh): Outcome<Inspection>;
 }
 

@@ -1,12 +1,20 @@
 import type { Failure } from './errors.ts';
 import type { Inspection } from './inspection.ts';
-import type { Mesh, ReduceOptions, Reduction } from './types.ts';
+import type { Levels, LevelsOptions, Mesh, ReduceOptions, Reduction } from './types.ts';
 
 /** The options that cross to the worker; signal and progress stay with the caller. */
 export type CoreOptions = Omit<ReduceOptions, 'signal' | 'onProgress'>;
 
+export type CoreLevelsOptions = Omit<LevelsOptions, 'signal' | 'onProgress'>;
+
 /** What the worker is asked to do. The arrays of the mesh are transferred. */
-export type Task = { kind: 'reduce'; mesh: Mesh; options: CoreOptions } | { kind: 'inspect'; mesh: Mesh };
+export type Task =
+  | { kind: 'reduce'; mesh: Mesh; options: CoreOptions }
+  | { kind: 'reduceLevels'; mesh: Mesh; options: CoreLevelsOptions }
+  | { kind: 'inspect'; mesh: Mesh };
+
+/** What a task gives when it succeeds. */
+export type Value = Reduction | Levels | Inspection;
 
 /** What a task gives: a value, or a fault with its place. */
 export type Outcome<Value> = { ok: true; value: Value } | { ok: false; failure: Failure };
@@ -18,4 +26,4 @@ export interface Request {
 }
 
 /** From the worker: any number of progress messages, then the outcome. */
-export type Answer = { progress: number } | { outcome: Outcome<Reduction | Inspection> };
+export type Answer = { progress: number } | { outcome: Outcome<Value> };

@@ -1,12 +1,8 @@
 import { type CancelFlag, createCancelFlag, raise } from './cancel-flag.ts';
 import { abortError, type Failure, MeshboundError } from './errors.ts';
-import type { Inspection } from './inspection.ts';
-import type { Answer, Outcome, Task } from './messages.ts';
+import type { Answer, Outcome, Task, Value } from './messages.ts';
 import { transferables } from './transferables.ts';
-import type { Reduction } from './types.ts';
 import { startWorker, type WorkerThread } from './worker-thread.ts';
-
-type Value = Reduction | Inspection;
 
 interface Job {
   task: Task;

@@ -78,10 +78,12 @@ val variable_to(const Variable& variable) {
                   field("values", values_to(variable.values)));
 }
 
+val triangles_to(const std::vector<glm::uvec3>& triangles) {
+    return array_to(triangles.empty() ? nullptr : &triangles.front().x, triangles.size() * 3);
+}
+
 val mesh_to(const Mesh& mesh) {
-    const auto* indices = mesh.triangles.empty() ? nullptr : &mesh.triangles.front().x;
-    return object(field("position", values_to(mesh.position.values)),
-                  field("triangles", array_to(indices, mesh.triangles.size() * 3)),
+    return object(field("position", values_to(mesh.position.values)), field("triangles", triangles_to(mesh.triangles)),
                   field("variables", list_to(mesh.variables, variable_to)));
 }
 
@@ -101,14 +103,31 @@ val map_to(const SurfaceMap& map) {
         to[0] = crossing.s;
         to[1] = crossing.t;
     };
+    const auto rightward = [](const MapCrossing& crossing, std::uint8_t* to) { *to = crossing.rightward ? 1 : 0; };
     return object(field("triangle", gathered_to<std::uint32_t, 1>(map.places, triangle)),
                   field("barycentric", gathered_to<double, 3>(map.places, barycentric)),
                   field("crossingEdges", gathered_to<std::uint32_t, 4>(map.crossings, edges)),
-                  field("crossingPlaces", gathered_to<double, 2>(map.crossings, places)));
+                  field("crossingPlaces", gathered_to<double, 2>(map.crossings, places)),
+                  field("crossingRightward", gathered_to<std::uint8_t, 1>(map.crossings, rightward)));
 }
 
 val vertex_errors_to(const VertexErrors& errors) {
     return object(field("error", array_to(errors.error)), field("signedError", array_to(errors.signed_error)));
+}
+
+/// Position apart from the variables, as in a mesh.
+val corners_to(const std::vector<Variable>& variables) {
+    val others = val::array();
+    for (std::size_t i = 1; i < variables.size(); ++i) {
+        others.call<void>("push", variable_to(variables[i]));
+    }
+    return object(field("position", values_to(variables.at(0).values)), field("variables", others));
+}
+
+val morph_to(const Morph& morph) {
+    return object(field("triangles", triangles_to(morph.triangles)), field("finer", corners_to(morph.finer)),
+                  field("coarser", corners_to(morph.coarser)), field("foldedTriangles", number(morph.folded_triangles)),
+                  field("foldedShare", morph.folded_share));
 }
 
 val variable_report_to(const VariableReport& report) {
@@ -161,6 +180,19 @@ val reduction_to(const Reduction& reduction, double seconds) {
         result.set("vertexErrors", list_to(reduction.vertex_errors, vertex_errors_to));
     }
     return result;
+}
+
+val levels_to(Levels levels, double seconds) {
+    val reductions = val::array(), morphs = val::array();
+    for (Reduction& level : levels.levels) {
+        reductions.call<void>("push", reduction_to(level, seconds));
+        level = {};
+    }
+    for (Morph& morph : levels.morphs) {
+        morphs.call<void>("push", morph_to(morph));
+        morph = {};
+    }
+    return object(field("levels", reductions), field("morphs", morphs));
 }
 
 val inspection_to(const Mesh& mesh, const Oddities& oddities, const std::vector<ResolvedBound>& bounds) {

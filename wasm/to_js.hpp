@@ -10,6 +10,9 @@ namespace meshbound::js {
 /// once, into memory of JavaScript's own.
 emscripten::val reduction_to(const Reduction& reduction, double seconds);
 
+/// `Levels` of wasm/types.ts. What it hands over it frees, so that nothing large is held twice.
+emscripten::val levels_to(Levels levels, double seconds);
+
 /// An `Inspection` of wasm/inspection.ts. `bounds` has position first, then the mesh's variables.
 emscripten::val inspection_to(const Mesh& mesh, const Oddities& oddities, const std::vector<ResolvedBound>& bounds);
 

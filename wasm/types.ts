@@ -42,6 +42,13 @@ export interface ReduceOptions {
   onProgress?: (progress: number) => void;
 }
 
+export interface LevelsOptions extends Omit<ReduceOptions, 'bounds'> {
+  /** The bounds of each level, finest first. From level to level no bound may fall, and at least one must rise. */
+  levels: Record<string, Bound>[];
+  /** Tracked errors only: make the morphs between neighbours too; a few more triangles may stay. Default: false. */
+  morphs?: boolean;
+}
+
 /** What was promised and reached for one variable; errors and bounds in its unit. */
 export interface VariableReport {
   name: string;
@@ -71,7 +78,7 @@ export interface Report {
   cells: number;
   foldedCells: number;
   stopped: 'finished' | 'cancelled';
-  /** Wall time of the reduction in the core. */
+  /** Wall time of the call in the core; of a level that of all levels. */
   seconds: number;
 }
 
@@ -93,6 +100,11 @@ export interface SurfaceMap {
   crossingEdges: Uint32Array;
   /** For each crossing: s along the original edge, t along the reduced edge. */
   crossingPlaces: Float64Array;
+  /**
+   * For each crossing: 1 where, with s rising, it passes from the left of the reduced edge (the triangle that has it from its
+   * first to its second vertex) to its right, 0 the other way.
+   */
+  crossingRightward: Uint8Array;
 }
 
 /** The errors of one variable at the vertices of the input, in its unit. */
@@ -112,4 +124,33 @@ export interface Reduction {
   map?: SurfaceMap;
   vertexErrors?: VertexErrors[];
   report: Report;
+}
+
+/** What the corners of a morph carry on one of its two levels. */
+export interface MorphCorners {
+  position: Float32Array | Float64Array;
+  variables: Variable[];
+}
+
+/**
+ * The way from a finer level to the next coarser one, as triangles whose corners carry the place and the values of both.
+ * Mixed linearly, they lead from the one surface to the other without a jump or a crack, boundary on boundary: at 0 it is the
+ * finer level, at 1 the coarser one. The first corners are the vertices of the finer level, bit for bit.
+ */
+export interface Morph {
+  /** Three corners a triangle. */
+  triangles: Uint32Array;
+  finer: MorphCorners;
+  coarser: MorphCorners;
+  /** Triangles that run clockwise on the coarser level, and their share of the finer level's area. */
+  foldedTriangles: number;
+  foldedShare: number;
+}
+
+/** Nested levels of detail, finest first. */
+export interface Levels {
+  /** Each against the original: errors, map and vertices as if it were reduced alone. */
+  levels: Reduction[];
+  /** `morphs[i]` leads to `levels[i]`, from the level before or, i being 0, from the original; empty unless asked for. */
+  morphs: Morph[];
 }

@@ -12,6 +12,9 @@ function perform(core: Core, { task, cancel }: Request, port: ParentPort): Answe
     port.post({ progress });
     return !isRaised(cancel);
   };
+  if (task.kind === 'reduceLevels') {
+    return { outcome: core.reduceLevels(task.mesh, task.options, goOn) };
+  }
   return { outcome: core.reduce(task.mesh, task.options, goOn) };
 }
 

@@ -68,16 +68,29 @@ ProgressSpan span_of(std::size_t level, std::size_t levels) {
     return {reached(level), reached(level + 1)};
 }
 
+MappedSurfaces to_last(const Mesh& mesh, const Levels& levels) {
+    const std::size_t last = levels.levels.size() - 1;
+    if (last == 0) return {mesh, levels.levels[0]};
+    return {levels.levels[last - 1].mesh, levels.levels[last].mesh, levels.links[last - 1]};
+}
+
 Levels reduce_all(const Mesh& mesh, const LevelBounds& bounds, const LevelOptions& options, const Oddities& oddities,
                   Ticker& ticker) {
+    const bool tracked = options.reduction.errors == Errors::tracked;
+    const bool links = tracked && (options.links || options.morphs), morphs = tracked && options.morphs;
     Levels levels;
     ReductionRun run(mesh, options.reduction, oddities, ticker);
     for (std::size_t level = 0; level < bounds.size() && !ticker.cancelled(); ++level) {
-        const bool linked = options.links && options.reduction.errors == Errors::tracked && level > 0;
+        const bool linked = links && level > 0;
         LevelLink link;
         levels.levels.push_back(
             run.reduce_within(bounds[level], span_of(level, bounds.size()), linked ? &link : nullptr));
         if (linked && !ticker.cancelled()) levels.links.push_back(std::move(link));
+        if (!morphs || ticker.cancelled()) continue;
+        Morph morph;
+        make_morph(to_last(mesh, levels), morph, [&ticker](double) { return ticker.ask(); });
+        if (!ticker.cancelled()) levels.morphs.push_back(std::move(morph));
+        else levels.levels.back().report.stopped = Stopped::cancelled;
     }
     return levels;
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "accounting.hpp"
-#include "meshbound/levels.hpp"
+#include "meshbound/level_link.hpp"
 #include "ticker.hpp"
 #include "tracking.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "accounting.hpp"
 #include "linked_tracking.hpp"
-#include "meshbound/levels.hpp"
+#include "meshbound/level_link.hpp"
 #include "meshbound/reduce.hpp"
 #include "rows.hpp"
 #include "surface.hpp"

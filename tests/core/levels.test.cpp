@@ -192,6 +192,26 @@ TEST_P(LevelsTest, LinksAreMapsWithinTheCoarserBounds) {
         }
 }
 
+TEST_P(LevelsTest, MakeTheMorphsAskedFor) {
+    const Mesh mesh = meshes::gallery()[4].mesh;
+    Levels levels;
+    ASSERT_TRUE(reduce_levels(mesh, doubling, {GetParam().options(), false, true}, levels).ok());
+    if (GetParam().options().errors == Errors::propagated) {
+        EXPECT_TRUE(levels.morphs.empty());
+        return;
+    }
+    ASSERT_EQ(levels.morphs.size(), doubling.size());
+    ASSERT_EQ(levels.links.size(), doubling.size() - 1);
+    for (std::size_t i = 0; i < doubling.size(); ++i) {
+        Morph morph;
+        if (i == 0) make_morph({mesh, levels.levels[0]}, morph);
+        else make_morph({levels.levels[i - 1].mesh, levels.levels[i].mesh, levels.links[i - 1]}, morph);
+        EXPECT_EQ(levels.morphs[i].triangles, morph.triangles);
+        EXPECT_TRUE(promise::same_bits(levels.morphs[i].finer[0], morph.finer[0]));
+        EXPECT_TRUE(promise::same_bits(levels.morphs[i].coarser[1], morph.coarser[1]));
+    }
+}
+
 TEST_P(LevelsTest, RefuseListsThatDoNotGoFromFineToCoarse) {
     const Mesh mesh = meshes::gallery()[0].mesh;
     struct Case {
@@ -249,7 +269,7 @@ EVERY_MODE(LevelsProgress);
 TEST_P(LevelsProgress, RisesToOneOverAllLevels) {
     std::vector<double> values;
     Levels levels;
-    ASSERT_TRUE(reduce_levels(mesh, doubling, {GetParam().options(), true}, levels, [&values](double value) {
+    ASSERT_TRUE(reduce_levels(mesh, doubling, {GetParam().options(), true, true}, levels, [&values](double value) {
                     values.push_back(value);
                     return true;
                 }).ok());
@@ -260,7 +280,7 @@ TEST_P(LevelsProgress, RisesToOneOverAllLevels) {
 }
 
 TEST_P(LevelsProgress, CancelledLeavesTheLevelsSoFar) {
-    const LevelOptions options{GetParam().options(), true};
+    const LevelOptions options{GetParam().options(), true, true};
     std::size_t calls = 0;
     Levels all;
     ASSERT_TRUE(reduce_levels(mesh, doubling, options, all, [&calls](double) { return ++calls > 0; }).ok());
@@ -279,6 +299,7 @@ TEST_P(LevelsProgress, CancelledLeavesTheLevelsSoFar) {
             EXPECT_TRUE(promise::same_bits(levels.levels[i].mesh, all.levels[i].mesh));
         }
         EXPECT_LT(levels.links.size(), levels.levels.size());
+        EXPECT_LT(levels.morphs.size(), levels.levels.size());
         expect_all_promises(mesh, levels, 2'000);
     }
 }

@@ -13,13 +13,17 @@ const sameColour = 6;
 
 /** What a side of the stage shows between its caption and its legend. */
 export async function pictureOf(page: Page, side: 'original' | 'reduced'): Promise<Picture> {
+  return decoded(page, await page.screenshot({ clip: await clipOf(page, side) }));
+}
+
+/** The part of the page between the caption and the legend of a side. */
+export async function clipOf(page: Page, side: 'original' | 'reduced') {
   const pane = await box(page, `#${side}`);
   const caption = await box(page, `#${side} .caption`);
   const legend = await box(page, `#${side} meshbound-legend`);
   const top = caption.y + caption.height + 2;
   // One pixel less at every side: the line between the panes is not part of the picture.
-  const clip = { x: pane.x + 2, y: top, width: pane.width - 4, height: legend.y - 2 - top };
-  return decoded(page, await page.screenshot({ clip }));
+  return { x: pane.x + 2, y: top, width: pane.width - 4, height: legend.y - 2 - top };
 }
 
 async function box(page: Page, selector: string) {

@@ -3,8 +3,8 @@ import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { reduce } from '../../wasm/index.ts';
-import type { Mesh, Reduction, SurfaceMap } from '../../wasm/types.ts';
+import { reduce, reduceLevels } from '../../wasm/index.ts';
+import type { Levels, Mesh, MorphCorners, Reduction, SurfaceMap } from '../../wasm/types.ts';
 import { differences, type LabelledArrays, type NumberArray, readLabelledArrays } from './labelled-arrays.ts';
 
 const program = 'build/native/tests/native_reduction';
@@ -74,6 +74,28 @@ function reportArrays({ report }: Reduction): [string, NumberArray][] {
   return [['report:counts', Float64Array.from(counts.flat())], ...variables];
 }
 
+function cornerArrays(end: string, { position, variables }: MorphCorners): [string, NumberArray][] {
+  return [
+    [`${end}:position`, position],
+    ...variables.map(({ name, values }): [string, NumberArray] => [`${end}:${name}`, values]),
+  ];
+}
+
+/** Of levels what `reduce` has not, named as in native_reduction.cpp. */
+function levelArrays({ levels, morphs }: Levels): LabelledArrays {
+  return new Map<string, NumberArray>([
+    ...levels.flatMap(({ mesh, vertices }, i): [string, NumberArray][] => [
+      [`level${i}`, mesh.triangles],
+      [`vertices${i}`, vertices],
+    ]),
+    ...morphs.flatMap(({ triangles, finer, coarser }, i): [string, NumberArray][] => [
+      [`morph${i}`, triangles],
+      ...cornerArrays(`finer${i}`, finer),
+      ...cornerArrays(`coarser${i}`, coarser),
+    ]),
+  ]);
+}
+
 describe.skipIf(!existsSync(program))('the native and the WebAssembly build give the same bytes', () => {
   const folder = mkdtempSync(join(tmpdir(), 'meshbound-'));
   const read = (file: string) => readLabelledArrays(readFileSync(join(folder, file)));
@@ -89,6 +111,19 @@ describe.skipIf(!existsSync(program))('the native and the WebAssembly build give
       expect(reduction.report.triangles.after, name).toBeLessThan(reduction.report.triangles.before);
       expect(reduction.map === undefined, name).toBe(errors === 'propagated');
       const different = differences(arraysOf(reduction), read(`${name}.${mode}`));
+      found.push(...different.map((array) => `${name}: ${array}`));
+    }
+    expect(found).toEqual([]);
+  });
+
+  test('levels and morphs', async () => {
+    const levels = [bounds, { position: { relative: 0.03 }, '*': { relative: 0.06 } }];
+    const names = readdirSync(folder).filter((file) => file.endsWith('.levels'));
+    expect(names.length).toBeGreaterThan(15);
+    const found: string[] = [];
+    for (const name of names.map((file) => basename(file, '.levels'))) {
+      const nested = await reduceLevels(meshOf(read(`${name}.mesh`)), { levels, morphs: true });
+      const different = differences(levelArrays(nested), read(`${name}.levels`));
       found.push(...different.map((array) => `${name}: ${array}`));
     }
     expect(found).toEqual([]);

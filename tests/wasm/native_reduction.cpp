@@ -2,8 +2,8 @@
 ///
 ///     native_reduction FOLDER
 ///
-/// FOLDER gets, for each mesh, NAME.mesh and one file of the result a mode, NAME.MODE: arrays one after the other, each a
-/// line "name type count" and then its bytes (tests/wasm/labelled-arrays.ts reads them).
+/// FOLDER gets, for each mesh, NAME.mesh and one file of the result a mode, NAME.MODE, and NAME.levels of levels of detail:
+/// arrays one after the other, each a line "name type count" and then its bytes (tests/wasm/labelled-arrays.ts reads them).
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +27,7 @@ using namespace meshbound;
 
 std::string type_name(float) { return "Float32Array"; }
 std::string type_name(double) { return "Float64Array"; }
+std::string type_name(std::uint8_t) { return "Uint8Array"; }
 std::string type_name(std::uint32_t) { return "Uint32Array"; }
 
 /// Writes arrays with their names.
@@ -57,15 +58,20 @@ private:
     std::ofstream file;
 };
 
+void write_triangles(LabelledArrays& arrays, const std::string& name, const std::vector<glm::uvec3>& triangles) {
+    arrays.write(name, triangles.empty() ? nullptr : &triangles.front().x, 3 * triangles.size());
+}
+
 void write_mesh(LabelledArrays& arrays, const Mesh& mesh) {
     arrays.write("position", mesh.position.values);
-    arrays.write("triangles", mesh.triangles.empty() ? nullptr : &mesh.triangles.front().x, 3 * mesh.triangles.size());
+    write_triangles(arrays, "triangles", mesh.triangles);
     for (const Variable& variable : mesh.variables) arrays.write("variable:" + variable.name, variable.values);
 }
 
 void write_map(LabelledArrays& arrays, const SurfaceMap& map) {
     std::vector<std::uint32_t> triangle, edges;
     std::vector<double> barycentric, places;
+    std::vector<std::uint8_t> rightward;
     for (const MapPlace& place : map.places) {
         triangle.push_back(place.triangle);
         for (int corner = 0; corner < 3; ++corner) barycentric.push_back(place.barycentric[corner]);
@@ -73,11 +79,13 @@ void write_map(LabelledArrays& arrays, const SurfaceMap& map) {
     for (const MapCrossing& crossing : map.crossings) {
         edges.insert(edges.end(), {crossing.original.x, crossing.original.y, crossing.reduced.x, crossing.reduced.y});
         places.insert(places.end(), {crossing.s, crossing.t});
+        rightward.push_back(crossing.rightward ? 1 : 0);
     }
     arrays.write("map:triangle", triangle);
     arrays.write("map:barycentric", barycentric);
     arrays.write("map:crossingEdges", edges);
     arrays.write("map:crossingPlaces", places);
+    arrays.write("map:crossingRightward", rightward);
 }
 
 void write_report(LabelledArrays& arrays, const Report& report) {
@@ -116,6 +124,22 @@ void write_reduction(const std::string& path, const Reduction& reduction) {
     arrays.finish();
 }
 
+void write_levels(const std::string& path, const Levels& levels) {
+    LabelledArrays arrays(path);
+    for (std::size_t i = 0; i < levels.levels.size(); ++i) {
+        const std::string name = std::to_string(i);
+        write_triangles(arrays, "level" + name, levels.levels[i].mesh.triangles);
+        arrays.write("vertices" + name, levels.levels[i].vertices);
+        const Morph& morph = levels.morphs[i];
+        write_triangles(arrays, "morph" + name, morph.triangles);
+        for (std::size_t v = 0; v < morph.finer.size(); ++v) {
+            arrays.write("finer" + name + ":" + morph.finer[v].name, morph.finer[v].values);
+            arrays.write("coarser" + name + ":" + morph.coarser[v].name, morph.coarser[v].values);
+        }
+    }
+    arrays.finish();
+}
+
 struct Mode {
     std::string name;
     Errors errors;
@@ -142,6 +166,17 @@ void reduce_in_every_mode(const std::string& path, const Mesh& mesh) {
     }
 }
 
+void reduce_to_levels(const std::string& path, const Mesh& mesh) {
+    const std::vector<Bounds> bounds = {{{"position", relative(0.01)}, {"*", relative(0.03)}},
+                                        {{"position", relative(0.03)}, {"*", relative(0.06)}}};
+    LevelOptions options;
+    options.morphs = true;
+    Levels levels;
+    if (const Status status = reduce_levels(mesh, bounds, options, levels); !status.ok())
+        throw std::runtime_error(path + ": " + status.message);
+    write_levels(path + ".levels", levels);
+}
+
 std::vector<meshes::Exhibit> exhibits() {
     std::vector<meshes::Exhibit> all = meshes::gallery();
     // Small beside the wave of the usual fields, so that some of it can go.
@@ -162,8 +197,11 @@ std::vector<meshes::Exhibit> exhibits() {
 
 int main(int, char** argv) {
     try {
-        for (const meshes::Exhibit& exhibit : exhibits())
-            reduce_in_every_mode(std::string(argv[1]) + "/" + exhibit.name, exhibit.mesh);
+        for (const meshes::Exhibit& exhibit : exhibits()) {
+            const std::string path = std::string(argv[1]) + "/" + exhibit.name;
+            reduce_in_every_mode(path, exhibit.mesh);
+            reduce_to_levels(path, exhibit.mesh);
+        }
     } catch (const std::exception& error) {
         std::cerr << error.what() << "\n";
         return 1;

@@ -1,4 +1,4 @@
-import { type Accessor, Document, Logger, Primitive, WebIO } from '@gltf-transform/core';
+import { type Accessor, Document, type Extension, Logger, type Node, Primitive, WebIO } from '@gltf-transform/core';
 import type { Mesh, Variable } from '../../wasm/types.ts';
 import { type GltfExtras, semanticFor } from './gltf-variables.ts';
 import type { WriteOptions } from './surface.ts';
@@ -16,8 +16,30 @@ const types = new Map<number, 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4'>([
  * components becomes an attribute for each.
  */
 export async function writeGlb(mesh: Mesh, options: WriteOptions = {}): Promise<Uint8Array> {
+  const document = emptyDocument();
+  return glbOf(document, addNode(document, mesh, options));
+}
+
+export function emptyDocument(): Document {
   const document = new Document().setLogger(new Logger(Logger.Verbosity.SILENT));
-  const buffer = document.createBuffer();
+  document.createBuffer();
+  return document;
+}
+
+/** The bytes of a file whose scene is one node; its extensions are among those given. */
+export async function glbOf(
+  document: Document,
+  node: Node,
+  extensions: (typeof Extension)[] = [],
+): Promise<Uint8Array> {
+  document.getRoot().setDefaultScene(document.createScene().addChild(node));
+  document.getRoot().getAsset().generator = 'Meshbound';
+  return new WebIO().registerExtensions(extensions).setLogger(document.getLogger()).writeBinary(document);
+}
+
+/** Adds a mesh to a document as a node that no scene shows yet. */
+export function addNode(document: Document, mesh: Mesh, options: WriteOptions): Node {
+  const [buffer] = document.getRoot().listBuffers();
   const primitive = document.createPrimitive().setMode(Primitive.Mode.TRIANGLES);
   const add = (semantic: string, values: Float32Array, components: number, extras?: GltfExtras) => {
     const accessor = document
@@ -38,10 +60,7 @@ export async function writeGlb(mesh: Mesh, options: WriteOptions = {}): Promise<
   const used = new Set(['POSITION']);
   for (const variable of mesh.variables) addVariable(variable, used, options, add);
   primitive.setIndices(document.createAccessor().setBuffer(buffer).setType('SCALAR').setArray(indicesOf(mesh)));
-  const node = document.createNode().setMesh(document.createMesh().addPrimitive(primitive));
-  document.getRoot().setDefaultScene(document.createScene().addChild(node));
-  document.getRoot().getAsset().generator = 'Meshbound';
-  return new WebIO().setLogger(document.getLogger()).writeBinary(document);
+  return document.createNode().setMesh(document.createMesh().addPrimitive(primitive));
 }
 
 function labelsOf(name: string, { units = {}, componentNames = {} }: WriteOptions): Omit<GltfExtras, 'name'> {

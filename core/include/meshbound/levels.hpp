@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "meshbound/bounds.hpp"
-#include "meshbound/map.hpp"
+#include "meshbound/level_link.hpp"
 #include "meshbound/mesh.hpp"
+#include "meshbound/morph.hpp"
 #include "meshbound/options.hpp"
 #include "meshbound/reduce.hpp"
 #include "meshbound/status.hpp"
@@ -17,14 +17,9 @@ struct LevelOptions {
     /// Tracked errors only: keep the map from each level onto the next coarser one, to morph between them (see Morph). That
     /// map keeps the bounds of the coarser level too, which may leave a few more triangles.
     bool links = false;
-};
-
-/// How a level passes into the next coarser one.
-struct LevelLink {
-    std::vector<std::uint32_t> vertices; ///< for each vertex of the coarser level its index in the finer one, rising
-    SurfaceMap map;                      ///< from the finer level onto the coarser one; its "input" is the finer level
-    /// No point of the finer level lies farther from its image: one value a variable, position first, in its unit.
-    std::vector<double> errors;
+    /// Tracked errors only: make the morphs between neighbours, from the original to the first level too. Needs links, so
+    /// they are kept.
+    bool morphs = false;
 };
 
 /// Nested levels of detail, finest first.
@@ -34,6 +29,8 @@ struct Levels {
     /// links[i] leads from levels[i] to levels[i + 1]. Empty where none were asked for. From the original to levels[0]
     /// leads the map of levels[0].
     std::vector<LevelLink> links;
+    /// morphs[i] leads to levels[i], from the level before or, i being 0, from the original. Empty where none were asked for.
+    std::vector<Morph> morphs;
 };
 
 /// Reduces a mesh to nested levels of detail, one for each of the bounds, finest first (§4). Each level continues from the
@@ -45,7 +42,7 @@ struct Levels {
 ///
 /// Faults: those of reduce; bad_levels, with the level (from 0) as index and the variable at fault. `levels` is then
 /// untouched. A cancelled call returns an ok status and the levels so far, the last one marked as cancelled and without a
-/// link to it.
+/// link or a morph to it.
 Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const LevelOptions& options, Levels& levels,
                      const Progress& progress = {});
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "meshbound/levels.hpp"
+#include "meshbound/level_link.hpp"
 #include "meshbound/map.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/reduce.hpp"

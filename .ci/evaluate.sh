@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# Repeats the paper's evaluation and writes docs/evaluation.md with its pictures (tests/evaluation/evaluate.ts).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+.ci/setup.sh test
+.ci/build.sh
+exec node_modules/.bin/tsx tests/evaluation/evaluate.ts
