@@ -41,10 +41,15 @@ const usageFaults: Case[] = [
   [['reduce', 'in.vtp', ...toOut], 'No bound was given'],
   [['reduce', 'in.vtp', ...toOut, ...bound, '--errors', 'guessed'], '“guessed”; it is tracked or propagated'],
   [['reduce', 'in.vtp', ...toOut, ...bound, '--cost', 'sum'], '“sum”; it is max or introduced'],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--levels', '1%,3%'], '--bound "*=…" cannot be given beside it'],
+  [['reduce', 'in.vtp', ...toOut, '--levels', '1%,some'], '“some” is not a number'],
+  [['reduce', 'in.vtp', ...toOut, '--levels', '1%,,3%'], 'is not a number'],
   [
-    ['reduce', 'in.vtp', ...toOut, ...bound, '--levels', '1%,3%'],
-    '--levels: several levels of detail cannot be made yet',
+    ['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%,9%', '-b', 'pressure=1%,2%'],
+    '3 levels, but this has bounds for 2',
   ],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '-b', 'pressure=1%,2%'], '“1%,2%” is not a number'],
+  [['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '--map', 'm.vtp'], '--map goes with one result'],
   [
     ['reduce', 'in.vtp', ...toOut, ...bound, '--errors', 'propagated', '--map', 'm.vtp'],
     '--map goes with --errors tracked',
@@ -86,6 +91,8 @@ const fileFaults: Case[] = [
     /in\.vtp: there is no variable “presure”; .*“position”, “pressure”, “velocity”/,
   ],
   [['reduce', 'in.vtp', ...toOut, ...bound, '--exclude', 'heat'], /no variable “heat”; the variables are “position”/],
+  [['reduce', 'in.vtp', ...toOut, '--levels', '3%,1%'], /in\.vtp: The bound of "position" falls .* level 1 .* level 2/],
+  [['reduce', 'in.vtp', ...toOut, '--levels', '3%,3%'], 'in.vtp: The bounds of level 2 are those of level 1'],
   [['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1e-30'], 'in.vtp: The bound of "pressure"'],
   [['reduce', 'nan.vtp', ...toOut, ...bound], /nan\.vtp: .*pressure.*--exclude "pressure"/],
   [

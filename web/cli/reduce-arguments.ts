@@ -1,12 +1,14 @@
 import type { ReportOptions } from '../session/report-json.ts';
 import { oneOf, parseArguments } from './arguments.ts';
-import { parseBounds } from './bound-arguments.ts';
+import { type Bounds, parseBounds } from './bound-arguments.ts';
 import { UsageFault } from './fault.ts';
+import { levelPaths, parseLevels } from './level-arguments.ts';
 import { outputFormat } from './surface-files.ts';
 
 export const help = `Reduces a surface so that every bound holds at every point of it.
 
 Usage: meshbound reduce IN -o OUT --bound NAME=BOUND …
+       meshbound reduce IN -o OUT --levels BOUND,BOUND … [--bound NAME=BOUND,BOUND … …]
 
 A bound is the largest allowed error of a variable: 1% of its extent (the length of the diagonal of the box of its
 values), 0.2 in its unit, or free. "position" is the geometry, "*" every variable not named; of two bounds with one name
@@ -23,6 +25,9 @@ Options:
                           introduced (default): the error of this removal; max: the error so far
   --map FILE              also write the original with where each vertex went, and what error it has there
   --report FILE.json      also write counts, bounds and errors for programs
+  --levels BOUND,BOUND …  nested levels of detail, finest first: bounds of every variable not named; a --bound beside it
+                          has one for each level, or one for all; none may fall. OUT is numbered (small-1.vtp …, or
+                          where # stands in it); a .glb without # holds all levels (MSFT_lod)
   --quiet                 say nothing but errors
 
 On a terminal a bar shows the progress. Ctrl-C ends the reduction and leaves all files as they were.
@@ -30,7 +35,8 @@ On a terminal a bar shows the progress. Ctrl-C ends the reduction and leaves all
 Examples:
   meshbound reduce engine.vtp -o small.vtp --bound position=1% --bound "*=3%"
   meshbound reduce engine.vtp -o small.ply -b position=0.5 -b pressure=2% -b velocity=0.2 -b temperature=free
-  meshbound reduce engine.vtp -o small.vtp -b "*=1%" --map where.vtp --report report.json`;
+  meshbound reduce engine.vtp -o small.vtp -b "*=1%" --map where.vtp --report report.json
+  meshbound reduce engine.vtp -o levels.glb --levels 1%,3%,9% -b position=0.5%,1%,2%`;
 
 const signature = {
   options: {
@@ -55,6 +61,10 @@ export interface Request {
   variables: string | undefined;
   exclude: string[];
   options: ReportOptions;
+  /** Of levels of detail the bounds of each; those of `options` are the first ones. */
+  levels: Bounds[] | undefined;
+  /** The files that surfaces are written to: `output`, or those of the levels. */
+  outputs: string[];
   map: string | undefined;
   report: string | undefined;
   quiet: boolean;
@@ -63,18 +73,21 @@ export interface Request {
 /** Throws a UsageFault for what is missing, unknown or does not go together. */
 export function parseRequest(args: string[]): Request {
   const { values, positionals } = parseArguments(args, signature);
-  if (values.levels !== undefined) throw new UsageFault('--levels: several levels of detail cannot be made yet.');
   if (!values.output) throw new UsageFault('-o OUT is missing.');
   const errors = oneOf('--errors', values.errors, ['tracked', 'propagated']);
+  if (values.map && values.levels !== undefined) throw new UsageFault('--map goes with one result, not with --levels.');
   if (values.map && errors === 'propagated') throw new UsageFault('--map goes with --errors tracked.');
   const cost = oneOf('--cost', values.cost, ['max', 'introduced']);
+  const levels = values.levels === undefined ? undefined : parseLevels(values.levels, values.bound);
   for (const path of [values.output, values.map]) if (path) outputFormat(path);
   return {
     input: positionals[0],
     output: values.output,
     variables: values.variables,
     exclude: values.exclude,
-    options: { bounds: parseBounds(values.bound), errors, cost },
+    options: { bounds: levels?.[0] ?? parseBounds(values.bound), errors, cost },
+    levels,
+    outputs: levels ? levelPaths(values.output, levels.length) : [values.output],
     map: values.map,
     report: values.report,
     quiet: values.quiet,

@@ -1,4 +1,13 @@
-import { type Mesh, MeshboundError, type Reduction, reduce as reduceMesh } from '../../wasm/index.ts';
+import {
+  type Levels,
+  type Mesh,
+  MeshboundError,
+  type ReduceOptions,
+  type Reduction,
+  type Report,
+  reduceLevels,
+  reduce as reduceMesh,
+} from '../../wasm/index.ts';
 import { takenMapNames, triangleName, withMap } from '../formats/map-variables.ts';
 import { listed } from '../formats/wording.ts';
 import { oddityNotes } from '../session/oddity-notes.ts';
@@ -8,12 +17,14 @@ import type { Command } from './command.ts';
 import { exitStatus } from './exit-status.ts';
 import { Fault, faultOf, UsageFault } from './fault.ts';
 import { interruptible } from './interruption.ts';
+import { levelsJson, levelsText } from './level-report.ts';
 import { sayNotes } from './notes.ts';
 import { ProgressBar } from './progress-bar.ts';
 import { help, parseRequest, type Request } from './reduce-arguments.ts';
 import { freeNotes, reportText } from './report.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
+import { type FileNotes, writeLevelFiles } from './write-level-files.ts';
 
 async function openInput({ input, variables: csv, exclude, options, map }: Request): Promise<OpenedSurface> {
   const whole = await openSurface(input, csv);
@@ -35,14 +46,18 @@ function requireMapNames({ path, mesh }: OpenedSurface): void {
   if (taken.length > 0) throw new Fault(`${path}: --map needs the names of the variables ${listed(taken)} for itself.`);
 }
 
-async function reduceSurface({ path, mesh, locked }: OpenedSurface, request: Request, signal: AbortSignal) {
-  const { bounds, errors, cost } = request.options;
-  const bar = process.stderr.isTTY && !request.quiet ? new ProgressBar(process.stderr) : undefined;
+/** Calls the core as the command line asks for, and shows the progress. */
+async function callCore<Result>(
+  { path, locked }: OpenedSurface,
+  { options, quiet }: Request,
+  signal: AbortSignal,
+  call: (settings: Omit<ReduceOptions, 'bounds'>) => Promise<Result>,
+): Promise<Result> {
+  const bar = process.stderr.isTTY && !quiet ? new ProgressBar(process.stderr) : undefined;
   try {
-    return await reduceMesh(mesh, {
-      bounds,
-      errors,
-      cost: cost === 'max' ? 'maximum' : 'introduced',
+    return await call({
+      errors: options.errors,
+      cost: options.cost === 'max' ? 'maximum' : 'introduced',
       locked,
       signal,
       onProgress: (progress) => bar?.show(progress),
@@ -60,40 +75,78 @@ function withAdvice(path: string, error: unknown): unknown {
   return excludable ? new Fault(`${fault.message} To leave the variable out: --exclude "${error.variable}".`) : fault;
 }
 
-/** Writes what was asked for, and gives the notes on each file of what it does not hold. */
-async function writeResults(files: StagedFiles, request: Request, surface: OpenedSurface, reduction: Reduction) {
+/** What there is to say when all files are written. */
+interface Outcome {
+  report: Report;
+  /** What each file does not hold. */
+  notes: FileNotes[];
+  text: string;
+}
+
+/** Writes what was asked for. */
+async function writeResult(files: StagedFiles, request: Request, surface: OpenedSurface, reduction: Reduction) {
   const { output, map, report, options } = request;
   const surfaces: [string, Mesh][] = [[output, reduction.mesh]];
   if (map) surfaces.push([map, withMap(surface.mesh, reduction)]);
-  const notes: [string, string[]][] = [];
+  const notes: FileNotes[] = [];
   for (const [path, mesh] of surfaces) {
     const { bytes, losses } = await encodeSurface(path, mesh, surface);
     await files.write(path, bytes);
     notes.push([path, losses]);
   }
   if (report) await files.write(report, reportJson(reduction.report, options));
-  return notes;
+  return { report: reduction.report, notes, text: reportText(reduction.report, options) };
+}
+
+/** The same for levels of detail. */
+async function writeLevels(
+  files: StagedFiles,
+  { outputs, report, options, levels = [] }: Request,
+  surface: OpenedSurface,
+  nested: Levels,
+) {
+  const notes = await writeLevelFiles(files, outputs, nested, surface);
+  const reports = nested.levels.map((level, i) => ({
+    file: outputs[i] ?? outputs[0],
+    bounds: levels[i],
+    report: level.report,
+  }));
+  if (report) await files.write(report, levelsJson(reports, options));
+  return { report: reports[0].report, notes, text: levelsText(reports) };
+}
+
+async function reduceAndWrite(
+  files: StagedFiles,
+  request: Request,
+  surface: OpenedSurface,
+  signal: AbortSignal,
+): Promise<Outcome> {
+  const { levels, options } = request;
+  const { mesh } = surface;
+  if (!levels) {
+    const call = (settings: Omit<ReduceOptions, 'bounds'>) => reduceMesh(mesh, { ...settings, bounds: options.bounds });
+    return writeResult(files, request, surface, await callCore(surface, request, signal, call));
+  }
+  const call = (settings: Omit<ReduceOptions, 'bounds'>) => reduceLevels(mesh, { ...settings, levels });
+  return writeLevels(files, request, surface, await callCore(surface, request, signal, call));
 }
 
 async function run(args: string[]): Promise<number> {
   const request = parseRequest(args);
-  const { output, map, report, options, quiet } = request;
-  await requireWritable([output, map, report].filter((path) => path !== undefined));
+  const { outputs, map, report, options, quiet } = request;
+  await requireWritable([...outputs, map, report].filter((path) => path !== undefined));
   const surface = await openInput(request);
-  const { result, notes } = await interruptible((signal) =>
-    StagedFiles.complete(signal, async (files) => {
-      const result = await reduceSurface(surface, request, signal);
-      return { result, notes: await writeResults(files, request, surface, result) };
-    }),
+  const outcome = await interruptible((signal) =>
+    StagedFiles.complete(signal, (files) => reduceAndWrite(files, request, surface, signal)),
   );
   if (!quiet) {
     if (options.cost === 'max' && options.errors === 'tracked') {
       console.error('--cost has an effect with --errors propagated only.');
     }
     const free = freeNotes(unnamed(options.bounds, surface.mesh));
-    sayNotes(surface.path, [...surface.notes, ...oddityNotes(result.report.oddities), ...free]);
-    for (const [path, losses] of notes) sayNotes(path, losses);
-    console.log(reportText(result.report, options));
+    sayNotes(surface.path, [...surface.notes, ...oddityNotes(outcome.report.oddities), ...free]);
+    for (const [path, losses] of outcome.notes) sayNotes(path, losses);
+    console.log(outcome.text);
   }
   return exitStatus.done;
 }

@@ -1,0 +1,42 @@
+import type { Report } from '../../wasm/index.ts';
+import { counted, grouped } from '../formats/wording.ts';
+import { type ReportOptions, reportJson } from '../session/report-json.ts';
+import type { Bounds } from './bound-arguments.ts';
+import { numberText, roundedUpText, textTable } from './text-table.ts';
+
+/** A level with the file that holds it. */
+export interface LevelReport {
+  file: string;
+  bounds: Bounds;
+  report: Report;
+}
+
+/** What `--report` writes of levels: for each what it writes of one, and its file; documented in docs/command-line.md. */
+export function levelsJson(levels: LevelReport[], options: ReportOptions): string {
+  const entries = levels.map(({ file, bounds, report }) => ({
+    file,
+    ...JSON.parse(reportJson(report, { ...options, bounds })),
+  }));
+  return `${JSON.stringify({ levels: entries }, undefined, 2)}\n`;
+}
+
+/** The same for people. */
+export function levelsText(levels: LevelReport[]): string {
+  const [{ report: first }] = levels;
+  const { before } = first.triangles;
+  const rows = levels.map(({ file, report: { triangles, variables } }, i) => {
+    const removed = numberText((100 * (before - triangles.after)) / before);
+    const used = variables.reduce((most, variable) => (variable.ratio > most.ratio ? variable : most));
+    return [
+      `${i + 1}  ${file}`,
+      grouped(triangles.after),
+      `${removed} %`,
+      roundedUpText(variables[0].error),
+      used.ratio > 0 ? `${roundedUpText(used.ratio)} of ${used.name}` : '',
+    ];
+  });
+  return [
+    `${counted(before, 'triangle')} -> ${counted(levels.length, 'level')} in ${first.seconds.toFixed(2)} s`,
+    textTable([['level', 'triangles', 'removed', 'position error', 'most of a bound used'], ...rows]),
+  ].join('\n');
+}
