@@ -1,3 +1,4 @@
+import { gzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
 import { addVariables, readSurface } from '../../web/formats/read.ts';
 import { writeSurface } from '../../web/formats/write.ts';
@@ -37,6 +38,24 @@ describe('a CSV file beside a surface', () => {
     }
   });
 
+  it('may be packed by gzip', async () => {
+    const packed = new Uint8Array(gzipSync('p\n1\n2\n3\n4\n'));
+    expect((await addVariables(surface, packed)).mesh.variables[1].values).toEqual(Float64Array.of(1, 2, 3, 4));
+  });
+
+  it('has units in the last brackets of a name, whatever stands before them', async () => {
+    const spaces = ' '.repeat(100_000);
+    const text = `p [a] [b],[c]d,e []${spaces},f${spaces}g\n${'1,2,3,4\n'.repeat(4)}`;
+    const { variables, units } = await add(text);
+    expect(variables.map((each) => each.slice(0, 6))).toEqual(['p [a] ', '[c]d F', 'e Floa', 'f     ']);
+    expect(units).toEqual({ 'p [a]': 'b' });
+  });
+
+  it('that is not UTF-8 is refused', async () => {
+    const latin1 = Uint8Array.from('Wärme\n1\n2\n3\n4\n', (letter) => letter.charCodeAt(0));
+    await expect(addVariables(surface, latin1)).rejects.toMatchObject({ code: 'bad_encoding' });
+  });
+
   it('has its text columns and empty cells named', async () => {
     const { variables, notes } = await add('name,p\na,1\nb,\nc,3\nd,4\n');
     expect(variables).toEqual(['p Float64Array 1 NaN 3 4']);
@@ -54,6 +73,7 @@ describe('a CSV file beside a surface', () => {
     ['a word among numbers', 'p\n1\n2\nthree\n4\n', 'bad_number', '“three”', 'column “p”, line 4'],
     ['one name twice', 'p,p\n1,2\n1,2\n1,2\n1,2\n', 'duplicate_name', '“p”', 'column 2'],
     ['a name that the surface has', 'q\n1\n2\n3\n4\n', 'duplicate_name', '“q”'],
+    ['the name of the geometry', 'position\n1\n2\n3\n4\n', 'duplicate_name', '“position”'],
     ['a column without name', 'p,\n1,2\n1,2\n1,2\n1,2\n', 'empty_name', 'column 2'],
   ])('with %s is refused', async (_, text, code, ...words) => {
     const error = await add(text).then(

@@ -61,6 +61,21 @@ describe('GLB by the project', () => {
     }
   });
 
+  it.each([
+    ['NaN', Number.NaN, 'not finite'],
+    ['infinity', Number.NEGATIVE_INFINITY, 'not finite'],
+    ['a double beyond single precision', 1e300, 'beyond single precision'],
+  ])('cannot hold %s, and says so', async (_, value, reason) => {
+    const p = { name: 'p', components: 1, values: Float64Array.of(0, 1, 2, value) };
+    const place = { ...smallMesh([]), position: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, value) };
+    const writing = [writeSurface('glb', smallMesh([p])), writeSurface('stl', place)];
+    const message = expect.stringContaining(reason);
+    await expect(writing[0]).rejects.toMatchObject({ code: 'not_finite', where: 'p', message });
+    await expect(writing[1]).rejects.toMatchObject({ code: 'not_finite', where: 'position', message });
+    // It does not stand in the way of what has no place anyway.
+    expect(await writeSurface('stl', smallMesh([p]))).toBeInstanceOf(Uint8Array);
+  });
+
   it('says that doubles are rounded', async () => {
     expect(await lossesOf('glb', smallMesh(mixedVariables()))).toEqual([
       expect.stringMatching(/rounded: “temperature”, “normal”, “stress”/),

@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { FormatError } from '../../web/formats/format-error.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import { writeSurface } from '../../web/formats/write.ts';
-import { fingerprint, mixedVariables, smallMesh } from './sample-mesh.ts';
+import { fingerprint, mixedVariables, smallMesh, withinSingles } from './sample-mesh.ts';
 
 const fixtures = new URL('fixtures/', import.meta.url);
 const kept = ['pressure', 'temperature', 'velocity', 'Mach number'];
@@ -22,7 +22,7 @@ const files: [name: string, bytes: Uint8Array][] = [
   ['big-endian PLY', await writeSurface('ply', mesh, { encoding: 'binary_big_endian' })],
   ['VTP', await writeSurface('vtp', mesh)],
   ['legacy VTK', await writeSurface('vtk', mesh)],
-  ['GLB', await writeSurface('glb', mesh)],
+  ['GLB', await writeSurface('glb', withinSingles(mesh))],
   ['OBJ', await writeSurface('obj', mesh)],
   ['textured OBJ', new TextEncoder().encode(texturedObj)],
   ['STL', await writeSurface('stl', mesh)],

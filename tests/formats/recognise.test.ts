@@ -27,6 +27,17 @@ describe('a file', () => {
     await expectFault(`${'<!---->'.repeat(500)}<x`, 'not_a_mesh');
   });
 
+  it('whose variable is named like the geometry has it renamed, and says so', async () => {
+    const values = Float32Array.of(1, 2, 3, 4);
+    const named = (...names: string[]) => smallMesh(names.map((name) => ({ name, components: 1, values })));
+    for (const format of ['vtp', 'vtk', 'ply', 'glb'] as const) {
+      const file = await writeSurface(format, named('position', 'position_2'));
+      const { mesh, summary } = await readSurface(`mesh.${format}`, file);
+      expect(mesh.variables.map(({ name }) => name)).toEqual(['position_3', 'position_2']);
+      expect(summary).toContain('The variable “position” is called “position_3” from here on');
+    }
+  });
+
   it('is named after its format by the ending that is known', () => {
     expect(['a.ply', 'a.vtp.gz', 'b.c.VTK', 'glb', 'a.txt', 'a.constructor', ''].map(formatByEnding)).toEqual([
       'ply',

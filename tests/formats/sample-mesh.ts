@@ -38,6 +38,12 @@ export function mixedVariables(): Variable[] {
   ];
 }
 
+/** The mesh without variables that are beyond single precision, which not every format can write. */
+export function withinSingles(mesh: Mesh): Mesh {
+  const fits = (value: number) => Number.isFinite(Math.fround(value));
+  return { ...mesh, variables: mesh.variables.filter(({ values }) => values.every(fits)) };
+}
+
 type Numbers = ArrayLike<number> & {
   constructor: { name: string };
   buffer: ArrayBufferLike;

@@ -1,5 +1,6 @@
 import { parseArguments } from './arguments.ts';
 import type { Command } from './command.ts';
+import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
 import { interruptible } from './interruption.ts';
 import { sayNotes } from './notes.ts';
@@ -15,6 +16,7 @@ and .gz behind any of them. What OUT cannot hold is said on standard error.
 
 Options:
   --variables FILE.csv    more variables of IN: names in the first line, then a line for each point
+  --exclude NAME          leave a variable out, as often as needed
   --quiet                 say nothing but errors
 
 Examples:
@@ -25,13 +27,17 @@ Examples:
 
 async function run(args: string[]): Promise<number> {
   const { values, positionals } = parseArguments(args, {
-    options: { variables: { type: 'string' }, quiet: { type: 'boolean' } },
+    options: {
+      variables: { type: 'string' },
+      exclude: { type: 'string', multiple: true, default: [] as string[] },
+      quiet: { type: 'boolean' },
+    },
     positionals: ['IN', 'OUT'],
   });
   const [input, output] = positionals;
   outputFormat(output);
   await requireWritable([output]);
-  const surface = await openSurface(input, values.variables);
+  const surface = without(values.exclude, await openSurface(input, values.variables));
   const losses = await interruptible((signal) =>
     StagedFiles.complete(signal, async (files) => {
       const { bytes, losses } = await encodeSurface(output, surface.mesh, surface);

@@ -28,9 +28,18 @@ const systemFaults: Record<string, string> = {
 
 /** An error that came up over a file as a Fault that begins with the file's name; mistakes of this program as they are. */
 export function faultOf(file: string, error: unknown): unknown {
-  if (error instanceof FormatError) return new Fault(`${file}: ${error.message}`);
-  if (error instanceof MeshboundError) return ours.has(error.code) ? error : new Fault(`${file}: ${error.message}`);
+  if (error instanceof MeshboundError && ours.has(error.code)) return error;
+  if (error instanceof FormatError || error instanceof MeshboundError) {
+    return new Fault(`${file}: ${error.message}${advice(error)}`);
+  }
   const { code, syscall } = (error ?? {}) as NodeJS.ErrnoException;
   if (code && (syscall || code in systemFaults)) return new Fault(`${file}: ${systemFaults[code] ?? code}.`);
   return error;
+}
+
+/** What to do about a variable that only reading and verifying can deal with. */
+function advice(error: FormatError | MeshboundError): string {
+  const inTheWay = error.code === 'not_finite' || error.code === 'non_finite_value';
+  const name = error instanceof FormatError ? error.where : error.variable;
+  return inTheWay && name !== 'position' ? ` To leave the variable out: --exclude "${name}".` : '';
 }

@@ -1,7 +1,6 @@
 import {
   type Levels,
   type Mesh,
-  MeshboundError,
   type ReduceOptions,
   type Reduction,
   type Report,
@@ -12,10 +11,11 @@ import { takenMapNames, triangleName, withMap } from '../formats/map-variables.t
 import { listed } from '../formats/wording.ts';
 import { oddityNotes } from '../session/oddity-notes.ts';
 import { reportJson } from '../session/report-json.ts';
-import { requireKnown, requireKnownBounds, unnamed } from './bound-arguments.ts';
+import { requireKnownBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
+import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
-import { Fault, faultOf, UsageFault } from './fault.ts';
+import { Fault, faultOf } from './fault.ts';
 import { interruptible } from './interruption.ts';
 import { levelsJson, levelsText } from './level-report.ts';
 import { sayNotes } from './notes.ts';
@@ -27,11 +27,7 @@ import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from 
 import { type FileNotes, writeLevelFiles } from './write-level-files.ts';
 
 async function openInput({ input, variables: csv, exclude, options, map }: Request): Promise<OpenedSurface> {
-  const whole = await openSurface(input, csv);
-  requireKnown(exclude, whole);
-  if (exclude.includes('position')) throw new UsageFault('--exclude: the position cannot be left out.');
-  const variables = whole.mesh.variables.filter(({ name }) => !exclude.includes(name));
-  const surface = { ...whole, mesh: { ...whole.mesh, variables } };
+  const surface = without(exclude, await openSurface(input, csv));
   requireKnownBounds(options.bounds, surface);
   if (map) {
     requireMapNames(surface);
@@ -63,16 +59,10 @@ async function callCore<Result>(
       onProgress: (progress) => bar?.show(progress),
     });
   } catch (error) {
-    throw withAdvice(path, error);
+    throw faultOf(path, error);
   } finally {
     bar?.clear();
   }
-}
-
-function withAdvice(path: string, error: unknown): unknown {
-  const fault = faultOf(path, error);
-  const excludable = error instanceof MeshboundError && error.code === 'non_finite_value' && fault instanceof Fault;
-  return excludable ? new Fault(`${fault.message} To leave the variable out: --exclude "${error.variable}".`) : fault;
 }
 
 /** What there is to say when all files are written. */

@@ -43,13 +43,13 @@ codes['='.charCodeAt(0)] = padding;
  * the text ends wherever something else begins, so it is decoded only as far as it is asked for.
  */
 export class Base64Bytes implements ByteStream {
-  private readonly text: string;
+  private readonly text: Uint8Array;
   private at: number;
   private readonly where: string;
   /** Bytes of the last group of four letters that were not asked for yet. */
   private spare: number[] = [];
 
-  constructor(text: string, start: number, where: string) {
+  constructor(text: Uint8Array, start: number, where: string) {
     this.text = text;
     this.at = start;
     this.where = where;
@@ -79,10 +79,10 @@ export class Base64Bytes implements ByteStream {
     const { text } = this;
     let filled = start;
     for (; filled + 3 <= bytes.length && this.at + 4 <= text.length; this.at += 4, filled += 3) {
-      const a = codes[text.charCodeAt(this.at)] ?? invalid;
-      const b = codes[text.charCodeAt(this.at + 1)] ?? invalid;
-      const c = codes[text.charCodeAt(this.at + 2)] ?? invalid;
-      const d = codes[text.charCodeAt(this.at + 3)] ?? invalid;
+      const a = codes[text[this.at]];
+      const b = codes[text[this.at + 1]];
+      const c = codes[text[this.at + 2]];
+      const d = codes[text[this.at + 3]];
       if ((a | b | c | d) >= skipped) break;
       bytes[filled] = (a << 2) | (b >>> 4);
       bytes[filled + 1] = (b << 4) | (c >>> 2);
@@ -103,9 +103,9 @@ export class Base64Bytes implements ByteStream {
 
   private nextCode(missing: number): number {
     while (this.at < this.text.length) {
-      const letter = this.text.charCodeAt(this.at++);
-      const code = codes[letter] ?? invalid;
-      if (code === invalid) throw this.garbage(String.fromCharCode(letter));
+      const letter = this.text[this.at++];
+      const code = codes[letter];
+      if (code === invalid) throw this.garbage(new TextDecoder().decode(Uint8Array.of(letter)));
       if (code !== skipped) return code;
     }
     throw endOfData(this.where, missing);

@@ -18,6 +18,7 @@ export type FormatFault =
   | 'empty_name'
   | 'duplicate_name'
   | 'bad_name' // a name that the format cannot write
+  | 'not_finite' // NaN, infinity, or beyond single precision, which the format cannot write
   | 'too_large'; // beyond memory, or beyond what an honest file would expand to
 
 /**

@@ -50,6 +50,6 @@ function pathOf(uri: string): string | undefined {
 
 function decodeUri(uri: string, byteLength: number, where: string): Uint8Array {
   const text = /^data:[^,]*;base64,/.exec(uri);
-  if (text) return new Base64Bytes(uri, text[0].length, where).take(byteLength);
+  if (text) return new Base64Bytes(new TextEncoder().encode(uri), text[0].length, where).take(byteLength);
   throw new FormatError('unsupported_feature', `The data URI of the ${where} is not base64.`, where);
 }

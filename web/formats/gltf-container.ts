@@ -1,6 +1,7 @@
 import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
 import { checkShape } from './gltf-shape.ts';
+import { utf8Text } from './utf8-text.ts';
 import { counted, grouped, listed } from './wording.ts';
 
 /** As much of glTF's JSON as is looked at before glTF-Transform reads it. */
@@ -95,12 +96,7 @@ function openGlb(bytes: Uint8Array): GltfFile {
 }
 
 function parseJson(bytes: Uint8Array): GltfJson {
-  let text: string;
-  try {
-    text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
-  } catch {
-    throw new FormatError('bad_encoding', 'The JSON of the glTF file is not UTF-8.');
-  }
+  const text = utf8Text(bytes, 'the JSON of the glTF file');
   try {
     return JSON.parse(text) as GltfJson;
   } catch (error) {

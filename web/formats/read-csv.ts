@@ -4,6 +4,7 @@ import { parseNumber } from './ascii-numbers.ts';
 import { FormatError } from './format-error.ts';
 import { groupProperties } from './ply-variables.ts';
 import { type Labels, noLabels } from './surface.ts';
+import { utf8Text } from './utf8-text.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
 
 interface Column {
@@ -23,7 +24,7 @@ export interface CsvVariables extends Labels {
  * name_1 … (ParaView: name:0 name:1 …) are the components of one variable. Values are doubles, since text has no precision.
  */
 export function readCsv(bytes: Uint8Array, points: number): CsvVariables {
-  const columns = columnsOf(new TextDecoder().decode(bytes), points);
+  const columns = columnsOf(utf8Text(bytes, 'the CSV file'), points);
   const texts = columns.filter(
     ({ cells }) => points > 0 && cells.every((cell) => parseNumber(cell) === undefined && cell !== ''),
   );
@@ -67,7 +68,10 @@ function columnsOf(text: string, points: number): Column[] {
 }
 
 function nameAndUnit(title: string): Pick<Column, 'name' | 'unit'> {
-  const [, name, unit] = /^(.*?)\s*\[([^\]]+)\]$/.exec(title.trim()) ?? [undefined, title.trim(), undefined];
+  const text = title.trim();
+  const bracket = text.endsWith(']') ? text.lastIndexOf('[') : -1;
+  const name = bracket < 0 ? text : text.slice(0, bracket).trim();
+  const unit = bracket < 0 ? undefined : text.slice(bracket + 1, -1).trim() || undefined;
   return { name: name.replace(/:(\d+)$/, '_$1'), unit };
 }
 

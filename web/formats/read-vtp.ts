@@ -2,7 +2,7 @@ import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
 import { noPolygons, type Polygons } from './polygons.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
-import { isFloatArray, readDataArray, type VtkPacking } from './vtk-data-array.ts';
+import { type AppendedData, isFloatArray, readDataArray, type VtkPacking } from './vtk-data-array.ts';
 import { asEnds, asIndices, meshOfPieces, type Piece, type PointArray } from './vtk-pieces.ts';
 import type { VtkValues } from './vtk-values.ts';
 import { weld } from './weld.ts';
@@ -36,14 +36,13 @@ export function readVtp(bytes: Uint8Array): Surface {
   return pieces.length > 1 ? { ...sealed(weld(mesh), notes), ...labels } : { mesh, notes, ...labels };
 }
 
-function openDocument(bytes: Uint8Array): { root: XmlNode; appended: VtkPacking['appended'] } {
+function openDocument(bytes: Uint8Array): { root: XmlNode; appended: AppendedData | undefined } {
   const tag = indexOfText(bytes, '<AppendedData', 0);
   const tagEnd = tag < 0 ? -1 : bytes.indexOf('>'.charCodeAt(0), tag);
   if (tagEnd < 0) return { root: parseXml(bytes, false), appended: undefined };
   const root = parseXml(bytes.subarray(0, tagEnd + 1), true);
-  const encoding = childrenOf(root, 'AppendedData')[0]?.attributes.encoding;
-  const data = appendedData(bytes.subarray(tagEnd + 1));
-  return { root, appended: encoding === 'base64' ? new TextDecoder('latin1').decode(data) : data };
+  const base64 = childrenOf(root, 'AppendedData')[0]?.attributes.encoding === 'base64';
+  return { root, appended: { bytes: appendedBytes(bytes.subarray(tagEnd + 1)), base64 } };
 }
 
 function indexOfText(bytes: Uint8Array, text: string, from: number): number {
@@ -54,7 +53,7 @@ function indexOfText(bytes: Uint8Array, text: string, from: number): number {
 }
 
 /** The data between the underscore and the closing tags, which also tell that the file is whole. */
-function appendedData(rest: Uint8Array): Uint8Array {
+function appendedBytes(rest: Uint8Array): Uint8Array {
   const tailSize = 256;
   const tail = new TextDecoder('latin1').decode(rest.subarray(-tailSize));
   const closing = /<\/AppendedData\s*>\s*<\/VTKFile\s*>\s*$/.exec(tail);
@@ -77,7 +76,7 @@ function checkKind(root: XmlNode): void {
   throw new FormatError('unsupported_format', `This is a VTK file of type ${quoted(type)}, not PolyData: ${advice}.`);
 }
 
-function packingOf(root: XmlNode, appended: VtkPacking['appended'], fileSize: number): VtkPacking {
+function packingOf(root: XmlNode, appended: AppendedData | undefined, fileSize: number): VtkPacking {
   const {
     compressor = '',
     header_type: headerType = 'UInt32',

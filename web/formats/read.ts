@@ -29,16 +29,20 @@ export interface SurfaceFile extends Surface {
  * unused points are passed on: they are the core's to judge.
  */
 export async function readSurface(name: string, bytes: Uint8Array, beside?: Beside): Promise<SurfaceFile> {
-  if (isGzip(bytes)) return readUnpacked(name.replace(/\.gz$/i, ''), await withinMemory(() => gunzip(bytes)), beside);
-  return readUnpacked(name, bytes, beside);
+  const plainName = isGzip(bytes) ? name.replace(/\.gz$/i, '') : name;
+  return readUnpacked(plainName, await withinMemory(() => unpacked(bytes)), beside);
 }
 
-/** The surface with the variables of a CSV file beside it, a line for each point; see readCsv. */
+async function unpacked(bytes: Uint8Array): Promise<Uint8Array> {
+  return isGzip(bytes) ? gunzip(bytes) : bytes;
+}
+
+/** The surface with the variables of a CSV file beside it, packed by gzip or not, a line for each point; see readCsv. */
 export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promise<SurfaceFile> {
   const { readCsv } = await import('./read-csv.ts');
   const { mesh } = surface;
-  const added = await withinMemory(() => readCsv(csv, mesh.position.length / 3));
-  const known = new Set(mesh.variables.map(({ name }) => name));
+  const added = await withinMemory(async () => readCsv(await unpacked(csv), mesh.position.length / 3));
+  const known = new Set([geometry, ...mesh.variables.map(({ name }) => name)]);
   const twice = added.variables.find(({ name }) => known.has(name));
   if (twice) {
     throw new FormatError(
@@ -56,9 +60,24 @@ export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promi
 async function readUnpacked(name: string, bytes: Uint8Array, beside?: Beside): Promise<SurfaceFile> {
   const format = recognise(bytes, name);
   const read = await readers[format]();
-  const surface = await withinMemory(() => read(bytes, beside));
+  const surface = withoutGeometryName(await withinMemory(() => read(bytes, beside)));
   const notes = [...endingNote(name, format), ...surface.notes];
   return { ...surface, format, notes, summary: notes.join(' ') };
+}
+
+/** What the geometry is called among the variables. */
+const geometry = 'position';
+
+/** No variable can be called as the geometry is; one that is gets another name, and this is said. */
+function withoutGeometryName(surface: Surface): Surface {
+  const { mesh, notes } = surface;
+  const names = new Set(mesh.variables.map(({ name }) => name));
+  if (!names.has(geometry)) return surface;
+  let free = `${geometry}_2`;
+  for (let copy = 3; names.has(free); copy++) free = `${geometry}_${copy}`;
+  const variables = mesh.variables.map((each) => (each.name === geometry ? { ...each, name: free } : each));
+  const note = `The variable ${quoted(geometry)} is called ${quoted(free)} from here on: ${quoted(geometry)} is the geometry.`;
+  return { ...surface, mesh: { ...mesh, variables }, notes: [...notes, note] };
 }
 
 function endingNote(name: string, format: Format): string[] {

@@ -6,14 +6,20 @@ import { byteLength, fromBytes, isFloat, isVtkType, roomFor, type VtkType, type 
 import { counted, grouped, quoted } from './wording.ts';
 import type { XmlNode } from './xml-tree.ts';
 
+export interface AppendedData {
+  /** As they are, or the letters of base64. */
+  bytes: Uint8Array;
+  base64: boolean;
+}
+
 /** Where the binary data of a VTK XML file is and how it is packed; the same for all its arrays. */
 export interface VtkPacking {
   littleEndian: boolean;
   /** 4 or 8: the size of the numbers that stand before binary data. */
   headerSize: number;
   compressed: boolean;
-  /** What follows the underscore in AppendedData: bytes as they are, or base64 text. */
-  appended: Uint8Array | string | undefined;
+  /** What follows the underscore in AppendedData. */
+  appended: AppendedData | undefined;
   /** How many more bytes the arrays may take: what stands between a small file and a zlib bomb. */
   budget: { bytes: number };
 }
@@ -67,7 +73,7 @@ function readBytes(node: XmlNode, size: number, packing: VtkPacking, where: stri
 
 function openStream(node: XmlNode, { appended }: VtkPacking, where: string): ByteStream {
   const { format, offset } = node.attributes;
-  if (format === 'binary') return new Base64Bytes(node.text, 0, where);
+  if (format === 'binary') return new Base64Bytes(new TextEncoder().encode(node.text), 0, where);
   if (format !== 'appended') {
     throw new FormatError('unsupported_feature', `The ${where} has the unknown format ${quoted(format ?? '')}.`, where);
   }
@@ -76,8 +82,8 @@ function openStream(node: XmlNode, { appended }: VtkPacking, where: string): Byt
   if (!/^\d{1,15}$/.test(offset ?? '')) {
     throw new FormatError('bad_header', `The ${where} has no valid offset into AppendedData.`, where);
   }
-  if (typeof appended === 'string') return new Base64Bytes(appended, Number(offset), where);
-  return new RawBytes(appended.subarray(Number(offset)), where);
+  if (appended.base64) return new Base64Bytes(appended.bytes, Number(offset), where);
+  return new RawBytes(appended.bytes.subarray(Number(offset)), where);
 }
 
 /** Uncompressed data: the number of bytes, then these. */

@@ -14,20 +14,31 @@ export function writeStl(mesh: Mesh): Uint8Array {
   file.set(new TextEncoder().encode('written by Meshbound'));
   const view = new DataView(file.buffer);
   view.setUint32(headSize - 4, facets, true);
-  for (let facet = 0; facet < facets; facet++) {
-    const corners = mesh.triangles.subarray(3 * facet, 3 * facet + 3);
-    const places = Array.from(corners, (corner) => Array.from(mesh.position.subarray(3 * corner, 3 * corner + 3)));
-    for (const [i, number] of [normalOf(places), ...places].flat().entries()) {
-      view.setFloat32(headSize + facetSize * facet + 4 * i, number, true);
-    }
-  }
+  for (let facet = 0; facet < facets; facet++) writeFacet(view, headSize + facetSize * facet, mesh, facet);
   return file;
 }
 
+const normal = new Float64Array(3);
+
+function writeFacet(view: DataView, start: number, { position, triangles }: Mesh, facet: number): void {
+  const [a, b, c] = [3 * triangles[3 * facet], 3 * triangles[3 * facet + 1], 3 * triangles[3 * facet + 2]];
+  setNormal(position, a, b, c);
+  for (let axis = 0; axis < 3; axis++) {
+    view.setFloat32(start + 4 * axis, normal[axis], true);
+    view.setFloat32(start + 4 * (3 + axis), position[a + axis], true);
+    view.setFloat32(start + 4 * (6 + axis), position[b + axis], true);
+    view.setFloat32(start + 4 * (9 + axis), position[c + axis], true);
+  }
+}
+
 /** Of unit length, by the right-hand rule; zero for a triangle without area. */
-function normalOf([a, b, c]: number[][]): number[] {
-  const [u, v] = [b, c].map((end) => end.map((coordinate, axis) => coordinate - a[axis]));
-  const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-  const length = Math.hypot(...normal);
-  return length > 0 ? normal.map((part) => part / length) : [0, 0, 0];
+function setNormal(position: Mesh['position'], a: number, b: number, c: number): void {
+  const [ax, ay, az] = [position[a], position[a + 1], position[a + 2]];
+  const [ux, uy, uz] = [position[b] - ax, position[b + 1] - ay, position[b + 2] - az];
+  const [vx, vy, vz] = [position[c] - ax, position[c + 1] - ay, position[c + 2] - az];
+  normal[0] = uy * vz - uz * vy;
+  normal[1] = uz * vx - ux * vz;
+  normal[2] = ux * vy - uy * vx;
+  const length = Math.hypot(normal[0], normal[1], normal[2]) || 1;
+  for (let axis = 0; axis < 3; axis++) normal[axis] /= length;
 }
