@@ -39,6 +39,10 @@ public:
     /// Takes the removal measured last; the surface has been retriangulated, so slots and edges are known.
     virtual void commit(const Retriangulation& retriangulation) = 0;
 
+    /// Whether new triangles must keep to the hole's normal. Steep slivers do no harm to a map that is kept; their errors
+    /// add up where it is not.
+    virtual bool minds_turns() const { return true; }
+
     /// What a candidate costs in time, in units of a small star: how much the accounting carries along for it.
     virtual std::size_t work() const = 0;
 

@@ -3,7 +3,7 @@
 namespace meshbound {
 
 Removal::Removal(Surface& surface, const Rows& rows, Accounting& accounting)
-    : surface_(surface), rows_(rows), accounting_(accounting), legality_(surface) {}
+    : surface_(surface), rows_(rows), accounting_(accounting), legality_(surface, accounting.minds_turns()) {}
 
 Verdict Removal::attempt(std::uint32_t candidate, double squared_limit, Effort effort) {
     gather_star(surface_, candidate, hole_);

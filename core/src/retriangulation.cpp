@@ -1,5 +1,6 @@
 #include "retriangulation.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <glm/geometric.hpp>
@@ -43,6 +44,8 @@ void Retriangulator::solve(const Rows& rows, const Hole& hole, const Legality& l
                 const double total = parts + cost.triangle(a, m, b) +
                                      shape_weight * shapelessness(position(a), position(m), position(b));
                 if (!(total < best)) continue;
+                if (!legality.allows_neighbours(a, m, b, middle_[at(a * size + m)], middle_[at(m * size + b)]))
+                    continue;
                 best = total;
                 middle_[at(a * size + b)] = m;
             }
@@ -86,11 +89,12 @@ bool Retriangulator::fan(const Hole& hole, const Legality& legality, int hub, Re
     for (int b = hub + 2; b < size; ++b) middle_[at(hub * size + b)] = b - 1;
     if (hub > 0 && hub < size - 1) middle_[at(size - 1)] = hub;
     unfold(size, best);
-    for (const NewTriangle& triangle : best.triangles)
-        if (!legality.allows_edge(triangle.a, triangle.b) ||
-            !legality.allows_triangle(triangle.a, triangle.m, triangle.b))
-            return false;
-    return true;
+    const auto third = [&](int a, int b) { return middle_[at(a * size + b)]; };
+    return std::all_of(best.triangles.begin(), best.triangles.end(), [&](const NewTriangle& triangle) {
+        const int a = triangle.a, m = triangle.m, b = triangle.b;
+        return legality.allows_edge(a, b) && legality.allows_triangle(a, m, b) &&
+               legality.allows_neighbours(a, m, b, third(a, m), third(m, b));
+    });
 }
 
 } // namespace meshbound

@@ -19,7 +19,7 @@ public:
 };
 
 /// The cheapest legal triangulation of a hole, by dynamic programming over the polygon: O(k³) triangles for k corners. It
-/// stands for the greedy start and edge flips of §3.4, which it cannot be worse than.
+/// stands for the greedy start and edge flips of §3.4. How far neighbours bend is asked of the cheapest parts alone.
 class Retriangulator {
 public:
     /// Fills `best`; false where no legal triangulation exists.

@@ -30,6 +30,7 @@ public:
     HoleCost& cost() override { return cost_; }
     Measured measure(const Retriangulation& retriangulation, double squared_limit) override;
     void commit(const Retriangulation& retriangulation) override;
+    bool minds_turns() const override { return false; }
     std::size_t work() const override;
     void measure_in(const Rows& rows) override;
     void errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const override;
