@@ -1,6 +1,7 @@
 import type { Accessor, Primitive } from '@gltf-transform/core';
 import type { Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
+import { joined } from './joined-arrays.ts';
 import { type Labels, noLabels } from './surface.ts';
 import { listed, quoted } from './wording.ts';
 
@@ -147,18 +148,9 @@ export function joinAttributes(parts: GltfAttribute[][], notes: string[]): { var
     partial.delete(name);
     if (unit) labels.units[name] = unit;
     if (componentNames?.length === components) labels.componentNames[name] = componentNames;
-    return [{ name, components, values: joined(found.map(({ values }) => values)) }];
+    const values = found.map((each) => each.values);
+    return [{ name, components, values: joined(values, Float32Array) }];
   });
   if (partial.size > 0) notes.push(`Not carried, since not every primitive has them: ${listed([...partial])}.`);
   return { variables, labels };
-}
-
-function joined(parts: Float32Array[]): Float32Array {
-  const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
-  let at = 0;
-  for (const part of parts) {
-    all.set(part, at);
-    at += part.length;
-  }
-  return all;
 }

@@ -1,5 +1,6 @@
 import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
+import { joined } from './joined-arrays.ts';
 import { counted, grouped } from './wording.ts';
 
 export function isGzip(bytes: Uint8Array): boolean {
@@ -36,13 +37,7 @@ async function through(transform: Transform, bytes: Uint8Array, check: (length: 
   } finally {
     await reader.cancel().catch(() => {});
   }
-  const whole = new Uint8Array(length);
-  let at = 0;
-  for (const piece of pieces) {
-    whole.set(piece, at);
-    at += piece.length;
-  }
-  return whole;
+  return joined(pieces, Uint8Array);
 }
 
 async function readPiece(reader: ReadableStreamDefaultReader<Uint8Array>): Promise<Uint8Array | undefined> {

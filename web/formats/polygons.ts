@@ -156,18 +156,14 @@ function clipEars(polygon: Uint32Array, position: Position, normal: Vector): Uin
   return triangles;
 }
 
+/** Twice the area of triangles in the plane, negative if they face the other way. */
 function flatArea(flat: number[], ears: number[]): number {
   let area = 0;
   for (let i = 0; i < ears.length; i += 3) {
-    const [ax, ay, bx, by, cx, cy] = [0, 1, 2].flatMap((j) => [flat[2 * ears[i + j]], flat[2 * ears[i + j] + 1]]) as [
-      number,
-      number,
-      number,
-      number,
-      number,
-      number,
-    ];
-    area += (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+    const [a, b, c] = [2 * ears[i], 2 * ears[i + 1], 2 * ears[i + 2]];
+    const [ux, uy] = [flat[b] - flat[a], flat[b + 1] - flat[a + 1]];
+    const [vx, vy] = [flat[c] - flat[a], flat[c + 1] - flat[a + 1]];
+    area += ux * vy - vx * uy;
   }
   return area;
 }

@@ -20,6 +20,7 @@ import {
   safeName,
   withSafeNames,
 } from './gltf-variables.ts';
+import { joined } from './joined-arrays.ts';
 import { checkIndices } from './polygons.ts';
 import type { Beside, Surface } from './surface.ts';
 import { weldedSurface } from './welded-surface.ts';
@@ -248,13 +249,15 @@ function turnNormals(normals: Float32Array, cofactors: number[], sign: number): 
 }
 
 function joinShapes(parts: Part[]): Pick<Mesh, 'position' | 'triangles'> {
-  const position = new Float32Array(parts.reduce((sum, part) => sum + part.position.length, 0));
-  const corners = new Uint32Array(parts.reduce((sum, part) => sum + part.triangles.length, 0));
-  let [point, corner] = [0, 0];
-  for (const part of parts) {
-    position.set(part.position, 3 * point);
-    for (const index of part.triangles) corners[corner++] = point + index;
-    point += part.position.length / 3;
-  }
-  return { position, triangles: corners };
+  let points = 0;
+  const triangles = parts.map((part) => {
+    const shift = points;
+    points += part.position.length / 3;
+    return part.triangles.map((corner) => corner + shift);
+  });
+  const position = joined(
+    parts.map((part) => part.position),
+    Float32Array,
+  );
+  return { position, triangles: joined(triangles, Uint32Array) };
 }

@@ -1,5 +1,6 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
+import { joined } from './joined-arrays.ts';
 import { type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
 import type { VtkValues } from './vtk-values.ts';
@@ -80,14 +81,8 @@ function joinValues(parts: PointArray[]): VtkValues {
   const narrow = (values: VtkValues) => (parts.every((part) => part.integers) ? asFloatingPoint(values) : values);
   if (parts.length === 1) return narrow(parts[0].values);
   const single = parts.every(({ values }) => values instanceof Float32Array);
-  const length = parts.reduce((sum, { values }) => sum + values.length, 0);
-  const values = single ? new Float32Array(length) : new Float64Array(length);
-  let at = 0;
-  for (const part of parts) {
-    values.set(part.values, at);
-    at += part.values.length;
-  }
-  return narrow(values);
+  const values = parts.map((part) => part.values);
+  return narrow(single ? joined(values, Float32Array) : joined(values, Float64Array));
 }
 
 function joinTriangles(pieces: Piece[], notes: string[]): Uint32Array {
@@ -105,21 +100,10 @@ function joinTriangles(pieces: Piece[], notes: string[]): Uint32Array {
   });
   if (split > 0) notes.push(`${counted(split, 'polygon')} with more than three corners split into triangles.`);
   if (strips > 0) notes.push(`${counted(strips, 'triangle strip')} taken apart into triangles.`);
-  const triangles = joined(parts);
+  const full = parts.filter((part) => part.length > 0);
+  const triangles = full.length === 1 ? full[0] : joined(full, Uint32Array);
   if (triangles.length > 0) return triangles;
   throw new FormatError('no_triangles', `The file has ${counted(points, 'point')}, but no polygons or strips.`);
-}
-
-function joined(parts: Uint32Array[]): Uint32Array {
-  const full = parts.filter((part) => part.length > 0);
-  if (full.length === 1) return full[0];
-  const all = new Uint32Array(full.reduce((sum, part) => sum + part.length, 0));
-  let at = 0;
-  for (const part of full) {
-    all.set(part, at);
-    at += part.length;
-  }
-  return all;
 }
 
 /** Numbers of a file as indices; throws on the first that is none. `where` names their array. */
