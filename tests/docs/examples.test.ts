@@ -1,4 +1,5 @@
-// The examples of README.md and docs do what they say. Wants a build (npm run build) and a native one.
+// The examples of README.md and docs do what they say. Wants a build (npm run build) and a native one. The example of a page
+// is tested in a browser: tests/e2e/readme.spec.ts.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
@@ -29,8 +30,8 @@ beforeAll(() => {
 });
 
 test('README has an example of ten lines at most for each face', () => {
-  const all = ['sh', 'ts', 'cpp'].map((language) => examples('README.md', language));
-  expect(all.map(({ length }) => length)).toEqual([1, 1, 1]);
+  const all = ['sh', 'ts', 'html', 'cpp'].map((language) => examples('README.md', language));
+  expect(all.map(({ length }) => length)).toEqual([1, 1, 1, 1]);
   for (const [code] of all) expect(code.trimEnd().split('\n').length).toBeLessThanOrEqual(10);
 });
 
