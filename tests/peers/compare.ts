@@ -1,8 +1,7 @@
 /**
  * Compares Meshbound with the tools that a user would pick instead: how many triangles each leaves at the same bounds.
  *
- *     npx tsx tests/peers/compare.ts [--quick] [--surfaces NAME,...] [--bounds GEOMETRY/VARIABLES,...]
- *                                    [--effort NUMBER] [--out FILE]
+ *     npm run peers -- [--quick] [--surfaces NAME,...] [--bounds GEOMETRY/VARIABLES,...] [--effort NUMBER] [--out FILE]
  *
  * Bounds are in percent of the extents, 0.1/1,1/3,3/3,6/6,9/9 where none are given. --quick takes three small surfaces, two
  * bounds and half the effort. Effort says how long to search for the best of a peer: 2 lets it run twice as often as 1, the
