@@ -116,18 +116,23 @@ val vertex_errors_to(const VertexErrors& errors) {
 }
 
 /// Position apart from the variables, as in a mesh.
-val corners_to(const std::vector<Variable>& variables) {
-    val others = val::array();
-    for (std::size_t i = 1; i < variables.size(); ++i) {
-        others.call<void>("push", variable_to(variables[i]));
+val morph_end_to(const MorphEnd& end) {
+    val position = val::array(), others = val::array();
+    for (std::size_t i = 0; i < end.variables.size(); ++i) {
+        if (i == 0) position = values_to(end.variables[i].values);
+        else others.call<void>("push", variable_to(end.variables[i]));
     }
-    return object(field("position", values_to(variables.at(0).values)), field("variables", others));
+    const auto vertices = [](const MorphPlace& place, std::uint32_t* to) { std::copy_n(&place.vertices.x, 3, to); };
+    const auto weights = [](const MorphPlace& place, double* to) { std::copy_n(&place.weights.x, 3, to); };
+    return object(field("position", position), field("variables", others), field("triangle", array_to(end.triangles)),
+                  field("vertices", gathered_to<std::uint32_t, 3>(end.places, vertices)),
+                  field("weights", gathered_to<double, 3>(end.places, weights)));
 }
 
 val morph_to(const Morph& morph) {
-    return object(field("triangles", triangles_to(morph.triangles)), field("finer", corners_to(morph.finer)),
-                  field("coarser", corners_to(morph.coarser)), field("foldedTriangles", number(morph.folded_triangles)),
-                  field("foldedShare", morph.folded_share));
+    return object(field("triangles", triangles_to(morph.triangles)), field("finer", morph_end_to(morph.finer)),
+                  field("coarser", morph_end_to(morph.coarser)),
+                  field("foldedTriangles", number(morph.folded_triangles)), field("foldedShare", morph.folded_share));
 }
 
 val variable_report_to(const VariableReport& report) {

@@ -126,10 +126,16 @@ export interface Reduction {
   report: Report;
 }
 
-/** What the corners of a morph carry on one of its two levels. */
-export interface MorphCorners {
+/** One of the two levels that a morph leads between. */
+export interface MorphEnd {
+  /** At the corners of the morph. */
   position: Float32Array | Float64Array;
   variables: Variable[];
+  /** For each triangle of the morph the triangle of the level that it lies in. */
+  triangle: Uint32Array;
+  /** Where each corner lies: three vertices of one triangle of the level, and their weights, which add up to 1. */
+  vertices: Uint32Array;
+  weights: Float64Array;
 }
 
 /**
@@ -140,8 +146,8 @@ export interface MorphCorners {
 export interface Morph {
   /** Three corners a triangle. */
   triangles: Uint32Array;
-  finer: MorphCorners;
-  coarser: MorphCorners;
+  finer: MorphEnd;
+  coarser: MorphEnd;
   /** Triangles that run clockwise on the coarser level, and their share of the finer level's area. */
   foldedTriangles: number;
   foldedShare: number;

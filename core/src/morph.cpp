@@ -11,19 +11,12 @@
 namespace meshbound {
 namespace {
 
-/// A point of an edge or a triangle of a mesh: up to three vertices and their weights.
-struct Mixture {
-    glm::uvec3 vertices{0};
-    glm::dvec3 weights{1, 0, 0};
-};
+using MorphPlaces = std::vector<MorphPlace>;
 
-/// Where every corner is on one of the two levels.
-using Mixtures = std::vector<Mixture>;
+MorphPlace on_edge(const glm::uvec2& edge, double share) { return {{edge.x, edge.y, edge.x}, {1 - share, share, 0}}; }
 
-Mixture on_edge(const glm::uvec2& edge, double share) { return {{edge.x, edge.y, edge.x}, {1 - share, share, 0}}; }
-
-Mixtures on_finer(const MappedSurfaces& surfaces) {
-    Mixtures corners;
+MorphPlaces on_finer(const MappedSurfaces& surfaces) {
+    MorphPlaces corners;
     for (std::uint32_t vertex = 0; vertex < surfaces.map.places.size(); ++vertex)
         corners.push_back({glm::uvec3(vertex), {1, 0, 0}});
     for (const MapCrossing& crossing : surfaces.map.crossings)
@@ -32,12 +25,12 @@ Mixtures on_finer(const MappedSurfaces& surfaces) {
 }
 
 /// A vertex that no triangle uses has no place: any serves (see leave_unused).
-Mixtures on_coarser(const MappedSurfaces& surfaces) {
-    Mixtures corners;
+MorphPlaces on_coarser(const MappedSurfaces& surfaces) {
+    MorphPlaces corners;
     for (const MapPlace& place : surfaces.map.places)
         corners.push_back(place.triangle == nowhere
-                              ? Mixture{}
-                              : Mixture{surfaces.reduced.triangles[place.triangle], place.barycentric});
+                              ? MorphPlace{}
+                              : MorphPlace{surfaces.reduced.triangles[place.triangle], place.barycentric});
     for (const MapCrossing& crossing : surfaces.map.crossings) corners.push_back(on_edge(crossing.reduced, crossing.t));
     return corners;
 }
@@ -56,26 +49,26 @@ void leave_unused(const SurfaceMap& map, const std::vector<Variable>& finer, std
             coarser[i].values);
 }
 
-/// One component of a mixture. A weight of 1 gives the vertex's own value, bit for bit (a negative zero, too).
-double mixed(const Variable& variable, const Mixture& mixture, int component) {
+/// One component of a place. A weight of 1 gives the vertex's own value, bit for bit (a negative zero, too).
+double mixed(const Variable& variable, const MorphPlace& place, int component) {
     double sum = 0;
     for (int i = 0; i < 3; ++i) {
-        if (mixture.weights[i] == 0) continue;
-        const double value = value_at(variable, mixture.vertices[i], component);
-        if (mixture.weights[i] == 1) return value;
-        sum += mixture.weights[i] * value;
+        if (place.weights[i] == 0) continue;
+        const double value = value_at(variable, place.vertices[i], component);
+        if (place.weights[i] == 1) return value;
+        sum += place.weights[i] * value;
     }
     return sum;
 }
 
 /// A variable at the corners, in its own precision.
-Variable at_corners(const Variable& variable, const Mixtures& corners) {
+Variable at_corners(const Variable& variable, const MorphPlaces& corners) {
     Variable result{variable.name, variable.components, variable.values};
     std::visit(
         [&](auto& values) {
             values.clear();
             values.reserve(corners.size() * static_cast<std::size_t>(variable.components));
-            for (const Mixture& corner : corners)
+            for (const MorphPlace& corner : corners)
                 for (int component = 0; component < variable.components; ++component)
                     values.push_back(static_cast<typename std::decay_t<decltype(values)>::value_type>(
                         mixed(variable, corner, component)));
@@ -84,10 +77,10 @@ Variable at_corners(const Variable& variable, const Mixtures& corners) {
     return result;
 }
 
-std::vector<Variable> all_at_corners(const Mesh& mesh, const Mixtures& corners) {
-    std::vector<Variable> all = {at_corners(mesh.position, corners)};
-    for (const Variable& variable : mesh.variables) all.push_back(at_corners(variable, corners));
-    return all;
+void place_corners(const Mesh& mesh, MorphPlaces corners, MorphEnd& end) {
+    end.variables.push_back(at_corners(mesh.position, corners));
+    for (const Variable& variable : mesh.variables) end.variables.push_back(at_corners(variable, corners));
+    end.places = std::move(corners);
 }
 
 Variable mixed(const Variable& finer, const Variable& coarser, double share) {
@@ -109,20 +102,24 @@ void make_morph(const MappedSurfaces& surfaces, Morph& morph, const Progress& pr
     morph = {};
     Segmentation segmentation;
     segment(surfaces, segmentation, progress);
+    for (const SegmentationCell& cell : segmentation.cells) {
+        morph.finer.triangles.insert(morph.finer.triangles.end(), cell.corner_count - 2, cell.original);
+        morph.coarser.triangles.insert(morph.coarser.triangles.end(), cell.corner_count - 2, cell.reduced);
+    }
     morph.triangles = std::move(segmentation.pieces);
     morph.folded_triangles = segmentation.folded_pieces;
     morph.folded_share = segmentation.folded_original;
     if (morph.triangles.empty()) return;
-    morph.finer = all_at_corners(surfaces.original, on_finer(surfaces));
-    morph.coarser = all_at_corners(surfaces.reduced, on_coarser(surfaces));
-    leave_unused(surfaces.map, morph.finer, morph.coarser);
+    place_corners(surfaces.original, on_finer(surfaces), morph.finer);
+    place_corners(surfaces.reduced, on_coarser(surfaces), morph.coarser);
+    leave_unused(surfaces.map, morph.finer.variables, morph.coarser.variables);
 }
 
 Mesh morphed(const Morph& morph, double share) {
     Mesh mesh;
     mesh.triangles = morph.triangles;
-    for (std::size_t i = 0; i < morph.finer.size(); ++i) {
-        Variable variable = mixed(morph.finer[i], morph.coarser[i], share);
+    for (std::size_t i = 0; i < morph.finer.variables.size(); ++i) {
+        Variable variable = mixed(morph.finer.variables[i], morph.coarser.variables[i], share);
         if (i == 0) mesh.position = std::move(variable);
         else mesh.variables.push_back(std::move(variable));
     }

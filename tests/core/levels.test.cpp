@@ -207,8 +207,8 @@ TEST_P(LevelsTest, MakeTheMorphsAskedFor) {
         if (i == 0) make_morph({mesh, levels.levels[0]}, morph);
         else make_morph({levels.levels[i - 1].mesh, levels.levels[i].mesh, levels.links[i - 1]}, morph);
         EXPECT_EQ(levels.morphs[i].triangles, morph.triangles);
-        EXPECT_TRUE(promise::same_bits(levels.morphs[i].finer[0], morph.finer[0]));
-        EXPECT_TRUE(promise::same_bits(levels.morphs[i].coarser[1], morph.coarser[1]));
+        EXPECT_TRUE(promise::same_bits(levels.morphs[i].finer.variables[0], morph.finer.variables[0]));
+        EXPECT_TRUE(promise::same_bits(levels.morphs[i].coarser.variables[1], morph.coarser.variables[1]));
     }
 }
 

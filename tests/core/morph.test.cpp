@@ -92,24 +92,45 @@ protected:
     /// The vertices of both levels are there, bit for bit, and every crossing.
     static void expect_corners(const Step& step, const Morph& morph) {
         const std::size_t vertices = vertex_count(step.finer), crossings = step.surfaces.map.crossings.size();
-        ASSERT_EQ(morph.finer.size(), 1 + step.finer.variables.size());
-        ASSERT_EQ(morph.coarser.size(), morph.finer.size());
+        ASSERT_EQ(morph.finer.variables.size(), 1 + step.finer.variables.size());
+        ASSERT_EQ(morph.coarser.variables.size(), morph.finer.variables.size());
         std::vector<std::uint32_t> first;
         for (std::uint32_t v = 0; v < vertices; ++v) first.push_back(v);
-        for (std::size_t i = 0; i < morph.finer.size(); ++i) {
-            const std::size_t count = (vertices + crossings) * static_cast<std::size_t>(morph.finer[i].components);
-            EXPECT_EQ(value_count(morph.finer[i]), count);
-            EXPECT_EQ(value_count(morph.coarser[i]), count);
-            EXPECT_TRUE(promise::same_bits(gather(morph.finer[i], first), variable(step.finer, i)));
-            EXPECT_TRUE(
-                promise::same_bits(gather(morph.coarser[i], step.surfaces.vertices), variable(step.coarser.mesh, i)));
+        for (std::size_t i = 0; i < morph.finer.variables.size(); ++i) {
+            const std::size_t count =
+                (vertices + crossings) * static_cast<std::size_t>(morph.finer.variables[i].components);
+            EXPECT_EQ(value_count(morph.finer.variables[i]), count);
+            EXPECT_EQ(value_count(morph.coarser.variables[i]), count);
+            EXPECT_TRUE(promise::same_bits(gather(morph.finer.variables[i], first), variable(step.finer, i)));
+            EXPECT_TRUE(promise::same_bits(gather(morph.coarser.variables[i], step.surfaces.vertices),
+                                           variable(step.coarser.mesh, i)));
         }
+        expect_places(step.finer, morph, morph.finer);
+        expect_places(step.coarser.mesh, morph, morph.coarser);
         std::set<std::uint32_t> used, in_use;
         for (const glm::uvec3& t : morph.triangles) used.insert({t.x, t.y, t.z});
         for (const glm::uvec3& t : step.finer.triangles) in_use.insert({t.x, t.y, t.z});
         for (const std::uint32_t vertex : in_use) EXPECT_TRUE(used.count(vertex)) << "vertex " << vertex;
         for (std::uint32_t n = 0; n < crossings; ++n)
             EXPECT_TRUE(used.count(static_cast<std::uint32_t>(vertices) + n)) << "crossing " << n;
+    }
+
+    /// Each corner of a triangle lies in the level's triangle that its triangle lies in.
+    static void expect_places(const Mesh& level, const Morph& morph, const MorphEnd& end) {
+        ASSERT_EQ(end.triangles.size(), morph.triangles.size());
+        for (std::size_t n = 0; n < morph.triangles.size(); ++n) {
+            const glm::uvec3& host = level.triangles.at(end.triangles[n]);
+            for (int corner = 0; corner < 3; ++corner) {
+                const MorphPlace& place = end.places.at(morph.triangles[n][corner]);
+                double inside = 0;
+                for (int i = 0; i < 3; ++i) {
+                    ASSERT_GE(place.weights[i], 0);
+                    for (int k = 0; k < 3; ++k)
+                        if (place.weights[i] > 0 && place.vertices[i] == host[k]) inside += place.weights[i];
+                }
+                ASSERT_NEAR(inside, 1, 1e-12) << "triangle " << n;
+            }
+        }
     }
 
     static void expect_size(const Step& step, const Morph& morph) {
@@ -137,7 +158,7 @@ protected:
     static void expect_no_cracks(const Step& step, const Morph& morph) {
         Mesh joined;
         joined.triangles = morph.triangles;
-        joined.position = morph.finer[0];
+        joined.position = morph.finer.variables[0];
         const meshes::Topology before = meshes::topology(step.finer), after = meshes::topology(joined);
         EXPECT_EQ(after.components, before.components);
         EXPECT_EQ(after.boundary_loops, before.boundary_loops);
@@ -205,14 +226,15 @@ TEST_P(MorphTest, TravelsNoFartherThanTheCoarserBounds) {
         SCOPED_TRACE(exhibit.name);
         for_each_step(exhibit.mesh, {promise::percent(1, 3), promise::percent(3, 9)}, [](const Step& step) {
             const Morph morph = morph_of(step);
-            for (std::size_t i = 0; i < morph.finer.size(); ++i) {
-                const int components = morph.finer[i].components;
+            for (std::size_t i = 0; i < morph.finer.variables.size(); ++i) {
+                const int components = morph.finer.variables[i].components;
                 const VariableReport& report = step.coarser.report.variables[i];
                 for (std::size_t corner = 0;
-                     corner * static_cast<std::size_t>(components) < value_count(morph.finer[i]); ++corner) {
+                     corner * static_cast<std::size_t>(components) < value_count(morph.finer.variables[i]); ++corner) {
                     double square = 0;
                     for (int c = 0; c < components; ++c) {
-                        const double d = value_at(morph.finer[i], corner, c) - value_at(morph.coarser[i], corner, c);
+                        const double d = value_at(morph.finer.variables[i], corner, c) -
+                                         value_at(morph.coarser.variables[i], corner, c);
                         square += d * d;
                     }
                     ASSERT_LE(std::sqrt(square), report.bound.absolute + rounding(step.finer) * report.bound.extent);
@@ -228,8 +250,8 @@ TEST(Morph, IsLinearBetweenItsEnds) {
     Morph morph;
     make_morph({mesh, reduction}, morph);
     const Mesh start = morphed(morph, 0), middle = morphed(morph, 0.5), end = morphed(morph, 1);
-    EXPECT_TRUE(promise::same_bits(start.position, morph.finer[0]));
-    EXPECT_TRUE(promise::same_bits(end.position, morph.coarser[0]));
+    EXPECT_TRUE(promise::same_bits(start.position, morph.finer.variables[0]));
+    EXPECT_TRUE(promise::same_bits(end.position, morph.coarser.variables[0]));
     for (std::size_t i = 0; i < vertex_count(start); ++i)
         for (int c = 0; c < 3; ++c)
             ASSERT_NEAR(value_at(middle.position, i, c),
@@ -257,7 +279,7 @@ TEST(Morph, OfPropagatedErrorsIsEmpty) {
     Morph morph;
     make_morph({mesh, promise::reduced(mesh, promise::percent(3, 3), options)}, morph);
     EXPECT_TRUE(morph.triangles.empty());
-    EXPECT_TRUE(morph.finer.empty());
+    EXPECT_TRUE(morph.finer.variables.empty());
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { reduceLevels } from '../../wasm/index.ts';
-import type { Bound, Mesh, Morph, MorphCorners, Variable } from '../../wasm/types.ts';
+import type { Bound, Mesh, Morph, MorphEnd, Variable } from '../../wasm/types.ts';
 import { bumpyPlate } from './bumpy-plate.ts';
 
 const percent = (share: number): Record<string, Bound> => ({
@@ -9,7 +9,7 @@ const percent = (share: number): Record<string, Bound> => ({
 });
 const levels = [percent(0.5), percent(1), percent(4)];
 
-function expectVertices(corners: MorphCorners, mesh: Mesh): void {
+function expectVertices(corners: MorphEnd, mesh: Mesh): void {
   const expectFirst = (found: Variable['values'], expected: Variable['values']) => {
     expect(found.constructor).toBe(expected.constructor);
     expect(found.subarray(0, expected.length)).toEqual(expected);

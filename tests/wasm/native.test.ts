@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { reduce, reduceLevels } from '../../wasm/index.ts';
-import type { Levels, Mesh, MorphCorners, Reduction, SurfaceMap } from '../../wasm/types.ts';
+import type { Levels, Mesh, MorphEnd, Reduction, SurfaceMap } from '../../wasm/types.ts';
 import { differences, type LabelledArrays, type NumberArray, readLabelledArrays } from './labelled-arrays.ts';
 
 const program = 'build/native/tests/native_reduction';
@@ -74,7 +74,7 @@ function reportArrays({ report }: Reduction): [string, NumberArray][] {
   return [['report:counts', Float64Array.from(counts.flat())], ...variables];
 }
 
-function cornerArrays(end: string, { position, variables }: MorphCorners): [string, NumberArray][] {
+function cornerArrays(end: string, { position, variables }: MorphEnd): [string, NumberArray][] {
   return [
     [`${end}:position`, position],
     ...variables.map(({ name, values }): [string, NumberArray] => [`${end}:${name}`, values]),

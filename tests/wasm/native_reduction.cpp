@@ -132,9 +132,9 @@ void write_levels(const std::string& path, const Levels& levels) {
         arrays.write("vertices" + name, levels.levels[i].vertices);
         const Morph& morph = levels.morphs[i];
         write_triangles(arrays, "morph" + name, morph.triangles);
-        for (std::size_t v = 0; v < morph.finer.size(); ++v) {
-            arrays.write("finer" + name + ":" + morph.finer[v].name, morph.finer[v].values);
-            arrays.write("coarser" + name + ":" + morph.coarser[v].name, morph.coarser[v].values);
+        for (std::size_t v = 0; v < morph.finer.variables.size(); ++v) {
+            arrays.write("finer" + name + ":" + morph.finer.variables[v].name, morph.finer.variables[v].values);
+            arrays.write("coarser" + name + ":" + morph.coarser.variables[v].name, morph.coarser.variables[v].values);
         }
     }
     arrays.finish();

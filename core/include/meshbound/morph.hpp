@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -11,6 +12,20 @@
 
 namespace meshbound {
 
+/// Where a corner of a morph lies on a level: a mixture of up to three of the level's vertices, all of one triangle. Weights
+/// are 0…1 and add up to 1; a vertex with weight 0 may stand for any.
+struct MorphPlace {
+    glm::uvec3 vertices{0};
+    glm::dvec3 weights{1, 0, 0};
+};
+
+/// One of the two levels that a morph leads between, as the morph sees it.
+struct MorphEnd {
+    std::vector<Variable> variables;      ///< at the corners: position first, then the variables of the level
+    std::vector<MorphPlace> places;       ///< of the corners
+    std::vector<std::uint32_t> triangles; ///< for each triangle of the morph the level's triangle that it lies in
+};
+
 /// The way from a finer level of detail to the next coarser one (§4): the pieces of their mutual segmentation, whose corners
 /// carry the place and the values of both. Position and every variable, mixed at the corners, lead from the one surface to
 /// the other without a jump and without a crack, boundary on boundary: at 0 it is the finer level, at 1 the coarser one.
@@ -19,10 +34,9 @@ namespace meshbound {
 /// level. Values are in the precision of the meshes: those of vertices bit for bit, those at crossings rounded once.
 struct Morph {
     std::vector<glm::uvec3> triangles; ///< three corners each
-    std::vector<Variable> finer;       ///< at the corners: position first, then the variables of the meshes
-    std::vector<Variable> coarser;     ///< the same corners on the coarser level
-    std::size_t folded_triangles = 0;  ///< that run clockwise on the coarser level (see Segmentation)
-    double folded_share = 0;           ///< and their share of the finer level's area
+    MorphEnd finer, coarser;
+    std::size_t folded_triangles = 0; ///< that run clockwise on the coarser level (see Segmentation)
+    double folded_share = 0;          ///< and their share of the finer level's area
 };
 
 /// Makes the morph between two surfaces. Where there is no map between them, after a reduction with propagated errors, it
