@@ -33,6 +33,7 @@ describe.each(vtkFiles)('legacy VTK by VTK, %s', (name) => {
     expect({ ...componentNames }).toEqual({ velocity: ['u', 'v', 'w'] });
     expect(notes).toEqual([
       'Not carried: point data “label”; cell data “region”; field data “TimeValue”; 1 vertex cell; 1 line.',
+      expect.stringContaining('Cell Data to Point Data'),
       'Whole numbers in the file, floating point from here on: “gid”, “flag”, “bits”.',
       '1 polygon with more than three corners split into triangles.',
       '1 triangle strip taken apart into triangles.',

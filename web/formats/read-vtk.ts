@@ -6,7 +6,7 @@ import { countOf, typeOf } from './legacy-vtk-words.ts';
 import { noPolygons, type Polygons } from './polygons.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
 import { cutNotes as lineBreakNotes } from './text-lines.ts';
-import { meshOfPieces, type PointArray } from './vtk-pieces.ts';
+import { cellDataAdvice, meshOfPieces, type PointArray } from './vtk-pieces.ts';
 import { isFloat } from './vtk-values.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
 
@@ -126,7 +126,8 @@ function lossNotes({ points, cells, file, verts, lines, colourMaps }: Parts): st
   if (verts > 0) lost.push(counted(verts, 'vertex cell'));
   if (lines > 0) lost.push(counted(lines, 'line'));
   if (colourMaps.length > 0) lost.push(`colour maps ${listed(colourMaps)}`);
-  return lost.length > 0 ? [`Not carried: ${lost.join('; ')}.`] : [];
+  const notes = lost.length > 0 ? [`Not carried: ${lost.join('; ')}.`] : [];
+  return cells.lost.length > 0 ? [...notes, cellDataAdvice] : notes;
 }
 
 /** The format declares no length, so a file that was cut between two arrays looks whole. What can be suspected is said. */

@@ -3,7 +3,7 @@ import { FormatError } from './format-error.ts';
 import { noPolygons, type Polygons } from './polygons.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
 import { type AppendedData, isFloatArray, readDataArray, type VtkPacking } from './vtk-data-array.ts';
-import { asEnds, asIndices, meshOfPieces, type Piece, type PointArray } from './vtk-pieces.ts';
+import { asEnds, asIndices, cellDataAdvice, meshOfPieces, type Piece, type PointArray } from './vtk-pieces.ts';
 import type { VtkValues } from './vtk-values.ts';
 import { weld } from './weld.ts';
 import { sealed } from './welded-surface.ts';
@@ -173,15 +173,17 @@ function notCarried(data: XmlNode | undefined, pieces: XmlNode[]): string[] {
   ];
   const inPieces = (tag: string) => pieces.flatMap((piece) => childrenOf(piece, tag));
   const cells = (kind: string) => pieces.reduce((sum, piece) => sum + countOf(piece, `NumberOf${kind}`), 0);
+  const cellData = names(inPieces('CellData'));
   const arrays: [string, string[]][] = [
-    ['cell data', names(inPieces('CellData'))],
+    ['cell data', cellData],
     ['field data', names([data, ...pieces].flatMap((parent) => (parent ? childrenOf(parent, 'FieldData') : [])))],
     ['text arrays', names(inPieces('PointData'), ['Array'])],
   ];
   const lost = arrays.filter(([, found]) => found.length > 0).map(([noun, found]) => `${noun} ${listed(found)}`);
   if (cells('Verts') > 0) lost.push(counted(cells('Verts'), 'vertex cell'));
   if (cells('Lines') > 0) lost.push(counted(cells('Lines'), 'line'));
-  return lost.length > 0 ? [`Not carried: ${lost.join('; ')}.`] : [];
+  const notes = lost.length > 0 ? [`Not carried: ${lost.join('; ')}.`] : [];
+  return cellData.length > 0 ? [...notes, cellDataAdvice] : notes;
 }
 
 function labelsOf(pieces: XmlNode[], names: string[]): Labels {

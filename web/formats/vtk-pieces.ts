@@ -15,6 +15,9 @@ export interface PointArray {
   integers: boolean;
 }
 
+/** What to do where values belong to cells: nothing here can tell what they would be at the points. */
+export const cellDataAdvice = 'Cell data can be made point data first (in ParaView: Cell Data to Point Data).';
+
 /** A part of a surface as VTK's formats hold it. */
 export interface Piece {
   /** Named in front of places in messages: "piece 2 ", or nothing where there is only one. */
