@@ -1,6 +1,7 @@
 import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
 import { gunzip, isGzip } from './gzip.ts';
+import { withOpenSeams } from './open-seams.ts';
 import { recognise } from './recognise.ts';
 import { type Beside, type Format, noLabels, type Surface } from './surface.ts';
 import { withinMemory } from './within-memory.ts';
@@ -60,7 +61,7 @@ export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promi
 async function readUnpacked(name: string, bytes: Uint8Array, beside?: Beside): Promise<SurfaceFile> {
   const format = recognise(bytes, name);
   const read = await readers[format]();
-  const surface = withoutGeometryName(await withinMemory(() => read(bytes, beside)));
+  const surface = withoutGeometryName(await withinMemory(async () => withOpenSeams(await read(bytes, beside))));
   const notes = [...endingNote(name, format), ...surface.notes];
   return { ...surface, format, notes, summary: notes.join(' ') };
 }

@@ -32,7 +32,7 @@ export function weld(mesh: Mesh): Weld {
 }
 
 /** Points that lie where another one lies. */
-function sharedPlaces(position: Values): Uint32Array {
+export function sharedPlaces(position: Values): Uint32Array {
   const places = firstOfEqual([{ values: position, components: 3 }], position.length / 3);
   const shared = new Uint8Array(places.length);
   for (const [point, first] of places.entries()) if (first !== point) shared[point] = shared[first] = 1;

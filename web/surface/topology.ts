@@ -25,6 +25,16 @@ export function topologyOf(triangles: Uint32Array, vertices: number): Topology {
   };
 }
 
+/** Marks the vertices of edges that only one triangle has with 1. */
+export function boundaryVertices(triangles: Uint32Array, vertices: number): Uint8Array {
+  const surface = withoutRepeatedVertices(triangles);
+  const marks = new Uint8Array(vertices);
+  new Edges(surface, vertices).forEach((corners) => {
+    if (corners.length === 1) marks[surface[corners[0]]] = marks[surface[next(corners[0])]] = 1;
+  });
+  return marks;
+}
+
 function withoutRepeatedVertices(triangles: Uint32Array): Uint32Array {
   const repeated = (corner: number) => {
     const [a, b, c] = [triangles[corner], triangles[corner + 1], triangles[corner + 2]];
