@@ -95,9 +95,11 @@ describe('OBJ', () => {
     ['a face of two corners', `${points}f 1 2\n`, 'bad_polygon', 'Face 0', '2 corners'],
     ['a face of no corners', `${points}f\n`, 'bad_polygon', '0 corners'],
     ['a word for a number', 'v 0 0 zero\n', 'bad_number', '“zero”', 'line 1'],
+    ['a word of a million digits for a number', `v ${'1'.repeat(1_000_000)}x 0 0\n`, 'bad_number', 'line 1'],
     ['two coordinates', 'v 0 0\n', 'bad_number', '3 numbers', 'line 1'],
     ['an unknown line', `${points}spam 1\n`, 'bad_header', '“spam”', 'line 5'],
     ['a line that never ends', `${points}f 1 2 \\\n`, 'truncated', 'go on'],
+    ['a line without end', `${points}f ${'1 '.repeat(10_000_000)}`, 'bad_header', 'line break', 'line 5'],
     ['no faces', points, 'no_triangles', '4 points'],
   ] as const)('with %s is refused', async (_, text, code, ...words) => {
     await expectFault(text, code, ...words);

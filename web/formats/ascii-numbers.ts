@@ -1,7 +1,8 @@
 import { FormatError } from './format-error.ts';
 import { grouped, quoted } from './wording.ts';
 
-const plainNumber = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
+/** One way to read each digit, so that no text takes long. */
+const plainNumber = /^[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$/;
 const longestToken = 512;
 /** Integers below 10^15 and powers of ten up to 10^22 are exact doubles, so their quotient is rounded once, correctly. */
 const exactDigits = 15;

@@ -1,8 +1,10 @@
 import { parseNumber } from './ascii-numbers.ts';
 import { FormatError } from './format-error.ts';
-import { counted, quoted } from './wording.ts';
+import { counted, grouped, quoted } from './wording.ts';
 
 const chunkSize = 1 << 20;
+/** Room for a polygon of a million corners. */
+const longestLine = 1 << 24;
 
 /** A line of a text as words, with its number, counted from 1. */
 export interface TextLine {
@@ -11,21 +13,27 @@ export interface TextLine {
 }
 
 /** The lines that are not empty, decoded piece by piece: the whole text need not fit into one string. */
-export function* textLines(bytes: Uint8Array, separator: RegExp = /\s+/): Generator<TextLine> {
+export function* textLines(bytes: Uint8Array): Generator<TextLine> {
   const decoder = new TextDecoder();
   let rest = '';
   let number = 0;
   for (let at = 0; at < bytes.length; at += chunkSize) {
     const lines = (rest + decoder.decode(bytes.subarray(at, at + chunkSize), { stream: true })).split('\n');
     rest = lines.pop() ?? '';
+    if (rest.length > longestLine) throw endlessLine(number + lines.length + 1);
     for (const line of lines) {
       number++;
       const text = line.trim();
-      if (text !== '') yield { words: text.split(separator), number };
+      if (text !== '') yield { words: text.split(/\s+/), number };
     }
   }
   const last = (rest + decoder.decode()).trim();
-  if (last !== '') yield { words: last.split(separator), number: number + 1 };
+  if (last !== '') yield { words: last.split(/\s+/), number: number + 1 };
+}
+
+function endlessLine(number: number): FormatError {
+  const where = `line ${grouped(number)}`;
+  return new FormatError('bad_header', `There is no line break in sight after ${where} begins.`, where);
 }
 
 /** `count` numbers from the words of a line, from word `from` on. */
