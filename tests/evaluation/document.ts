@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 
 import type { Surface } from '../../web/formats/surface.ts';
 import { spanOf } from '../../web/surface/value-span.ts';
-import { shortNumber } from './markdown.ts';
+import { shortNumber, unitText } from './markdown.ts';
 import { type PaperCase, paperCases } from './paper.ts';
 import { pictureFile } from './pictures.ts';
 
@@ -40,7 +40,7 @@ Triangles left, and their share. The paper gives shares over both bounds togethe
 
 ## The errors reached
 
-*Bound* is in the variable's unit (1: none); the other columns are in percent of it. *Promised*: the largest error that the
+*Bound* is in the variable's unit; the other columns are in percent of it. *Promised*: the largest error that the
 accounting allows for any point. *Judged*: the smallest bound of this variable at which the judge still
 passes, all other bounds being as they are, to ${(100 / 128).toFixed(1)} %; *all together* is the judge's own ratio. Promised
 errors near 100 % and judged ones far below mean that the accounting overestimates.
@@ -87,7 +87,7 @@ function figure({ sample, description, percents, drawn }: PaperCase, { mesh, uni
     const variable = mesh.variables.find((candidate) => candidate.name === name);
     if (!variable) throw new Error(`${sample} has no variable ${name}.`);
     const [{ lowest, highest }] = spanOf(variable).components;
-    return `${name}, ${shortNumber(lowest)} … ${shortNumber(highest)} ${units[name]}`;
+    return `${name}, ${shortNumber(lowest)} … ${shortNumber(highest)}${unitText(units[name])}`;
   };
   const title = (level: string) => (level === 'original' ? 'original' : `${level} %`);
   const cell = (level: string, name: string) =>

@@ -8,3 +8,8 @@ export function markdownTable(head: string[], lines: (string | number)[][], ofWo
 export function shortNumber(value: number): string {
   return String(Number(value.toPrecision(3)));
 }
+
+/** A unit behind a number, which the unit 1 is not. */
+export function unitText(unit: string | undefined): string {
+  return unit === undefined || unit === '1' ? '' : ` ${unit}`;
+}

@@ -1,6 +1,6 @@
 import type { Mesh } from '../../wasm/types.ts';
 import type { Surface } from '../../web/formats/surface.ts';
-import { markdownTable, shortNumber } from './markdown.ts';
+import { markdownTable, shortNumber, unitText } from './markdown.ts';
 import { type DetailedOutcome, detailedOutcomeOf } from './outcome.ts';
 
 /** A surface of §5 and the bounds that it is reduced with, in percent, the same for geometry and variables. */
@@ -70,7 +70,7 @@ function errorTable({ propagated, tracked }: Result, units: Surface['units']): s
   const percent = (ratio: number) => `${(100 * ratio).toFixed(1)}`;
   const lines = tracked.variables.map(({ name, bound, constant }, i) => [
     constant ? `${name} (constant)` : name,
-    `${shortNumber(bound)} ${units[name]}`,
+    `${shortNumber(bound)}${unitText(units[name])}`,
     ...[propagated, tracked].flatMap((outcome) => [
       percent(outcome.variables[i].ratio),
       percent(outcome.judgedErrors[i]),
