@@ -10,7 +10,8 @@ const page = sharePage();
 
 async function saved(shown: Page, format: string): Promise<{ name: string; bytes: Uint8Array }> {
   const started = shown.waitForEvent('download');
-  await shown.getByRole('button', { name: `Save ${format.toUpperCase()}` }).click();
+  await shown.getByRole('button', { name: 'Save…' }).click();
+  await shown.getByRole('button', { name: format.toUpperCase(), exact: true }).click();
   const download = await started;
   return { name: download.suggestedFilename(), bytes: new Uint8Array(await readFile(await download.path())) };
 }

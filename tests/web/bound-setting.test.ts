@@ -43,7 +43,7 @@ describe('a typed percentage', () => {
     ['1.0049', 0.01],
     ['1.006', 0.0101],
   ])('%j is taken', (text, fraction) => {
-    expect(parsePercent(text)).toEqual({ fraction: expect.closeTo(fraction, 12) });
+    expect(parsePercent(text)).toMatchObject({ value: expect.closeTo(fraction, 12) });
   });
 
   test.each([

@@ -8,6 +8,7 @@ const steps = 330;
  * Sets a bound. Inside its track a bar shows how much of the bound the result uses.
  *
  * @fires bound-input with the chosen fraction
+ * @fires bound-settled once it is let go; goes up through all parts of the page
  */
 export class BoundSlider extends LitElement {
   static override properties = {
@@ -94,6 +95,7 @@ export class BoundSlider extends LitElement {
       .value=${String(Math.round(place * steps))}
       ?disabled=${this.disabled}
       @input=${this.#input}
+      @change=${() => settle(this)}
     />`;
   }
 
@@ -101,6 +103,11 @@ export class BoundSlider extends LitElement {
     const fraction = fractionAt(Number((target as HTMLInputElement).value) / steps);
     this.dispatchEvent(new CustomEvent('bound-input', { detail: fraction }));
   }
+}
+
+/** Says that a bound has come to rest: what follows is another step to undo. */
+export function settle(control: EventTarget): void {
+  control.dispatchEvent(new CustomEvent('bound-settled', { bubbles: true, composed: true }));
 }
 
 customElements.define('meshbound-bound-slider', BoundSlider);

@@ -2,11 +2,11 @@ import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
 import { inspect, reduce } from '../../wasm/index.ts';
 import type { Reduction, Report } from '../../wasm/types.ts';
 import type { ValueColormap } from '../colour/colormaps.ts';
-import { asBounds, largestFraction } from '../session/bound-setting.ts';
+import { areFirst, asBounds, largestFraction } from '../session/bound-setting.ts';
 import { boundsText, readBounds } from '../session/bound-text.ts';
 import { fetchBytes } from '../session/fetch-bytes.ts';
 import { readInWorker } from '../session/read.ts';
-import { Session, type SessionState } from '../session/session.ts';
+import { type Method, Session, type SessionState } from '../session/session.ts';
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
 import { download, type SavedKind, savedFile } from './download.ts';
@@ -26,6 +26,10 @@ import {
   type ViewSettings,
   type WantedView,
 } from './view-settings.ts';
+import { type StateAttribute, stateAttributes, type ViewerState } from './viewer-state.ts';
+
+/** What a state says beside address and bounds. */
+const viewAttributes = stateAttributes.filter((name) => name !== 'src' && name !== 'bounds');
 
 /** How near to the window's part in sight a lazy viewer begins to load. */
 const lazyMargin = '200px';
@@ -81,6 +85,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
     // Setting the same address again loads it again.
     src: { hasChanged: () => true },
     bounds: { noAccessor: true },
+    errors: {},
+    cost: {},
     variable: {},
     component: {},
     show: {},
@@ -173,6 +179,10 @@ export class MeshboundViewer extends LitElement implements WantedView {
 
   /** The address of a surface: PLY, VTP, legacy VTK, glTF, OBJ or STL, packed by gzip or not. */
   declare src: string | null;
+  /** How errors are accounted for: `tracked` (default) or `propagated`, as in the paper. */
+  declare errors: Method['errors'] | null;
+  /** What retriangulation makes small where errors are propagated: the error `introduced` (default), or the `maximum`. */
+  declare cost: Method['cost'] | null;
   /** What the surfaces are coloured by: a variable, `position` among them. Default: the first that varies. */
   declare variable: string | null;
   /** Which component of a vector: `magnitude` (default), or what it is called: x, y, z, or as in the file. */
@@ -214,6 +224,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
   constructor() {
     super();
     this.src = null;
+    this.errors = null;
+    this.cost = null;
     this.variable = null;
     this.component = null;
     this.show = null;
@@ -262,6 +274,29 @@ export class MeshboundViewer extends LitElement implements WantedView {
     const settings = settingsFor(this.session.state.surface, this);
     if (!sameView(settings, this.#settings)) this.#settings = settings;
     return this.#settings;
+  }
+
+  /** What there is to say of the viewer as attributes, to have the same again elsewhere. Never data. */
+  get state(): ViewerState {
+    const { surface, bounds } = this.session.state;
+    const text: Partial<Record<StateAttribute, string | null>> = {
+      src: surface?.address,
+      bounds: surface && !areFirst(bounds) ? this.bounds : null,
+    };
+    for (const name of viewAttributes) text[name] = asAttribute(this[name]);
+    return Object.fromEntries(Object.entries(text).filter(([, value]) => typeof value === 'string'));
+  }
+
+  /** What a state does not say becomes as at first; but where it names no address, what is open stays. */
+  set state(state: ViewerState) {
+    const { bounds = null, src } = state;
+    if (bounds !== this.state.bounds || (src && src !== this.state.src)) this.bounds = bounds;
+    for (const name of viewAttributes) this.#setAttributeOf(name, state[name] ?? null);
+    if (src && src !== this.state.src) this.src = src;
+  }
+
+  #setAttributeOf(name: (typeof viewAttributes)[number], value: string | null): void {
+    Object.assign(this, { [name]: typeof this[name] === 'boolean' ? value !== null : value });
   }
 
   /** Opens a file of the user's. */
@@ -314,6 +349,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
   }
 
   override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('errors') || changed.has('cost')) this.session.setMethod(methodFrom(this));
     if (changed.has('src') && this.src) this.#load();
   }
 
@@ -368,6 +404,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
           .fraction=${fraction}
           ?disabled=${!surface}
           @bound-input=${({ detail }: CustomEvent<number>) => this.session.setAllBounds(detail)}
+          @bound-settled=${() => this.session.settleBounds()}
         ></meshbound-bound-slider>
         <span>${surface ? percentText(fraction) : ''}</span>
       </label>
@@ -477,4 +514,12 @@ export class MeshboundViewer extends LitElement implements WantedView {
   #fire(name: string, detail: unknown): void {
     this.dispatchEvent(new CustomEvent(name, { detail }));
   }
+}
+
+function asAttribute(value: string | boolean | null): string | null {
+  return typeof value === 'boolean' ? (value ? '' : null) : value;
+}
+
+function methodFrom({ errors, cost }: MeshboundViewer): Method {
+  return { errors: errors === 'propagated' ? errors : 'tracked', cost: cost === 'maximum' ? cost : 'introduced' };
 }

@@ -60,14 +60,14 @@ export class ViewControls extends LitElement {
       }
       /* Fixed, so that the bar does not change its shape when variables come. */
       select {
-        width: 150px;
+        width: 122px;
         text-overflow: ellipsis;
       }
       select.middle {
-        width: 138px;
+        width: 122px;
       }
       select.narrow {
-        width: 104px;
+        width: 96px;
       }
       @container bar (max-width: 800px) {
         .group {

@@ -1,6 +1,9 @@
 import { css, html, LitElement } from 'lit';
+import { download, type SavedKind, savedKinds } from '../element/download.ts';
 import '../element/index.ts';
 import type { WantedView } from '../element/view-settings.ts';
+import { stateFromJson, stateJson } from '../element/viewer-state.ts';
+import { messageOf } from '../session/failure.ts';
 import type { Method } from '../session/session.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';
@@ -8,10 +11,23 @@ import { controlsStyle } from '../element/controls-style.ts';
 import { isMeasured } from '../element/promise-words.ts';
 import { tokens } from '../element/tokens.ts';
 import { FileDrop } from './file-drop.ts';
-import type { SavedFormat } from './result-bar.ts';
 import './result-bar.ts';
+import { Link } from './link.ts';
+import './menu.ts';
 import type { Sample } from './samples.ts';
 import './toolbar.ts';
+
+/** How the kinds of files are offered. */
+const savedTexts: Record<SavedKind, { text: string; title: string }> = {
+  ply: { text: 'PLY', title: 'The reduced surface with all variables' },
+  vtp: { text: 'VTP', title: 'The reduced surface with all variables, for ParaView' },
+  vtk: { text: 'Legacy VTK', title: 'The reduced surface with all variables' },
+  glb: { text: 'GLB', title: 'The reduced surface for viewers of glTF, in single precision' },
+  obj: { text: 'OBJ', title: 'The reduced surface; of its variables only what the format holds' },
+  stl: { text: 'STL', title: 'The reduced surface without variables' },
+  report: { text: 'Report (JSON)', title: 'Bounds, errors and counts' },
+  map: { text: 'Map (VTP)', title: 'The original with where each vertex went, and what error it has there' },
+};
 
 /** The whole page around one viewer. */
 export class App extends LitElement {
@@ -79,18 +95,26 @@ export class App extends LitElement {
 
   /** What shows the surfaces; everything else on the page drives it. */
   readonly viewer = document.createElement('meshbound-viewer');
+  #link = new Link(this.viewer);
   #drop = new FileDrop(this, (file) => this.#openFile(file));
 
   constructor() {
     super();
     this.samples = [];
     this.viewer.setAttribute('role', 'main');
-    this.viewer.session.addEventListener('change', () => this.requestUpdate());
+    this.viewer.session.addEventListener('change', () => this.#changed());
+    this.addEventListener('bound-settled', () => this.viewer.session.settleBounds());
+    addEventListener('keydown', this.#pressKey);
+  }
+
+  /** Shows what the page's address says, or else the first sample. */
+  begin(): void {
+    this.#link.begin(this.samples[0]?.address ?? null);
   }
 
   override render() {
     const { session } = this.viewer;
-    const { surface, bounds, method, reduced, opening, progress, cancelled } = session.state;
+    const { surface, bounds, canUndo, canRedo, method, reduced, opening, progress, cancelled } = session.state;
     const result = reduced?.result ?? null;
     const measured = result !== null && isMeasured(result);
     return html`
@@ -102,10 +126,12 @@ export class App extends LitElement {
         .bounds=${bounds}
         .settings=${this.viewer.settings}
         @open-file=${({ detail }: CustomEvent<File>) => this.#openFile(detail)}
-        @open-sample=${({ detail }: CustomEvent<Sample>) => this.openSample(detail)}
-        @view-change=${({ detail }: CustomEvent<Partial<WantedView>>) => this.#changeView(detail)}
+        @open-sample=${({ detail }: CustomEvent<Sample>) => this.#openSample(detail)}
+        @view-change=${({ detail }: CustomEvent<Partial<WantedView>>) => this.#set(detail)}
         @fit=${() => this.viewer.fit()}
-      ></meshbound-toolbar>
+      >
+        ${this.#shareMenu()}
+      </meshbound-toolbar>
       <div class="bounds" role="region" aria-label="Bounds">
         <meshbound-bounds-panel
           .surface=${surface}
@@ -113,8 +139,12 @@ export class App extends LitElement {
           .method=${method}
           .report=${result?.report ?? null}
           .measured=${measured}
+          .canUndo=${canUndo}
+          .canRedo=${canRedo}
+          @undo=${() => session.undo()}
+          @redo=${() => session.redo()}
           @bounds-change=${({ detail }: CustomEvent<BoundChange>) => this.#changeBounds(detail)}
-          @method-change=${({ detail }: CustomEvent<Method>) => session.setMethod(detail)}
+          @method-change=${({ detail }: CustomEvent<Method>) => this.#set(detail)}
         ></meshbound-bounds-panel>
       </div>
       ${this.viewer}
@@ -127,28 +157,110 @@ export class App extends LitElement {
         .cancelled=${cancelled}
         @cancel=${() => session.cancel()}
         @reduce-again=${() => session.reduceAgain()}
-        @save=${({ detail }: CustomEvent<SavedFormat>) => this.viewer.save(detail)}
-      ></meshbound-result-bar>
+      >
+        ${this.#saveMenu(reduced !== null)}
+      </meshbound-result-bar>
       <div class="drop ${this.#drop.hovering ? 'hovering' : ''}">Drop to open</div>
     `;
   }
 
-  openSample({ address }: Sample): void {
+  #saveMenu(hasResult: boolean) {
+    const items = savedKinds.map((kind) => ({ ...savedTexts[kind], take: () => this.viewer.save(kind) }));
+    return html`<meshbound-menu label="Save…" ?disabled=${!hasResult} .items=${items}></meshbound-menu>`;
+  }
+
+  #shareMenu() {
+    const items = [
+      {
+        text: 'Copy link',
+        title: 'An address of this page with the same surface, bounds and view',
+        take: this.#copyLink,
+      },
+      { text: 'Copy embed code', title: 'A viewer for a page of your own', take: () => this.#copy(this.#link.snippet) },
+      { text: 'Save state', title: 'Bounds and view as a file', take: this.#saveState },
+      { text: 'Load state…', title: 'Or drop such a file here', take: this.#browseState },
+    ];
+    return html`<meshbound-menu label="Share…" .items=${items}></meshbound-menu>`;
+  }
+
+  #openSample({ address }: Sample): void {
+    this.viewer.session.wantBounds(null, { later: true });
     this.viewer.src = address;
   }
 
   #openFile(file: File): void {
+    if (/\.json$/i.test(file.name)) {
+      void this.#openState(file);
+      return;
+    }
+    this.viewer.session.wantBounds(null, { later: true });
     void this.viewer.open(file);
   }
 
-  #changeView(wanted: Partial<WantedView>): void {
+  /** Attributes of the viewer that the controls change. */
+  #set(wanted: Partial<WantedView & Method>): void {
     Object.assign(this.viewer, wanted);
-    this.requestUpdate();
+    this.#changed();
   }
+
+  #changed(): void {
+    this.requestUpdate();
+    this.#link.update();
+  }
+
+  #copyLink = (): Promise<string | undefined> => {
+    const { address } = this.#link;
+    if (address) return this.#copy(address);
+    this.viewer.session.report(
+      'A link cannot hold a file of yours: put it where an address reaches it, and open that.',
+    );
+    return Promise.resolve(undefined);
+  };
+
+  async #copy(text: string): Promise<string | undefined> {
+    try {
+      await navigator.clipboard.writeText(text);
+      return 'Copied';
+    } catch {
+      this.viewer.session.report(`The browser does not let this page copy. ${text}`);
+      return undefined;
+    }
+  }
+
+  #saveState = (): void => download('meshbound-state.json', stateJson(this.viewer.state));
+
+  #browseState = (): void => {
+    const input = document.createElement('input');
+    input.type = 'file';
+    input.accept = '.json';
+    input.addEventListener('change', () => input.files?.[0] && this.#openState(input.files[0]));
+    input.click();
+  };
+
+  async #openState(file: File): Promise<void> {
+    try {
+      this.viewer.state = stateFromJson(await file.text());
+      this.#changed();
+    } catch (error) {
+      this.viewer.session.report(`${file.name}: ${messageOf(error)}`);
+    }
+  }
+
+  #pressKey = (event: KeyboardEvent): void => {
+    const typing = event.composedPath()[0] instanceof HTMLInputElement;
+    const command = event.ctrlKey || event.metaKey;
+    if (!command || event.altKey || (typing && (event.composedPath()[0] as HTMLInputElement).type === 'text')) return;
+    const key = event.key.toLowerCase();
+    if (key === 'z' && !event.shiftKey) this.viewer.session.undo();
+    else if (key === 'y' || key === 'z') this.viewer.session.redo();
+    else return;
+    event.preventDefault();
+  };
 
   #changeBounds(change: BoundChange): void {
     const { session } = this.viewer;
     if ('all' in change) session.setAllBounds(change.all);
+    else if ('bounds' in change) session.setBounds(change.bounds);
     else session.setBound(change.variable, change.setting);
   }
 }

@@ -1,11 +1,11 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { VariableExtent, VariableReport } from '../../wasm/index.ts';
-import { type BoundSetting, wholeOf } from '../session/bound-setting.ts';
-import '../element/bound-slider.ts';
+import { settle } from '../element/bound-slider.ts';
 import { controlsStyle } from '../element/controls-style.ts';
-import { percentText, upperText, withUnit } from '../element/number-text.ts';
-import '../element/percent-field.ts';
+import { percentNumber, percentText, upperText, withUnit } from '../element/number-text.ts';
+import { type BoundSetting, inUnit, parseAmount, parsePercent, tidy, wholeOf } from '../session/bound-setting.ts';
+import './number-field.ts';
 
 /**
  * The bound of one variable and what the result makes of it.
@@ -34,14 +34,11 @@ export class BoundRow extends LitElement {
         justify-content: space-between;
       }
       .name {
+        flex: 1;
         overflow: hidden;
         text-overflow: ellipsis;
         white-space: nowrap;
         font-weight: 600;
-      }
-      .unit {
-        flex: 1;
-        white-space: nowrap;
       }
       label {
         display: flex;
@@ -51,6 +48,11 @@ export class BoundRow extends LitElement {
       }
       input {
         margin: 0;
+      }
+      .in {
+        width: 58px;
+        padding: 2px 4px;
+        text-overflow: ellipsis;
       }
       .error {
         white-space: nowrap;
@@ -71,40 +73,62 @@ export class BoundRow extends LitElement {
 
   override render() {
     const { name } = this.variable;
-    const { fraction, free } = this.setting;
-    const bound = upperText(fraction * wholeOf(this.variable));
+    const { fraction, absolute, free } = this.setting;
+    const bound = withUnit(upperText(absolute ?? fraction * wholeOf(this.variable)), this.unit);
     return html`
       <div class="line">
         <span class="name" title=${name}>${name}</span>
-        <span class="unit small soft">${withUnit('', this.unit)}${this.#constant()}</span>
-        <meshbound-percent-field
-          label="Bound of ${name} in percent"
-          .fraction=${fraction}
-          ?disabled=${free}
-          @bound-input=${this.#input}
-        ></meshbound-percent-field>
+        <span class="small soft">${this.#constant()}</span>
+        ${this.#field()}${this.#unitChoice()}
       </div>
       <meshbound-bound-slider
         label="Bound of ${name}"
-        spoken="${percentText(fraction)}, ${withUnit(bound, this.unit)}"
+        spoken="${percentText(fraction)}, ${bound}"
         .fraction=${fraction}
         .used=${free ? 0 : (this.reached?.ratio ?? 0)}
         ?disabled=${free}
-        @bound-input=${this.#input}
+        @bound-input=${({ detail }: CustomEvent<number>) => this.#slide(detail)}
       ></meshbound-bound-slider>
       <div class="line small">
         <label>
           <input type="checkbox" aria-label="${name} bounded" .checked=${live(!free)} @change=${this.#toggle} />
-          <span>bounded${free ? '' : html` by ${withUnit(bound, this.unit)}`}</span>
+          <span>bounded${free ? '' : ` by ${absolute === undefined ? bound : percentText(fraction)}`}</span>
         </label>
         ${this.#reached()}
       </div>
     `;
   }
 
+  #field() {
+    const { name } = this.variable;
+    const { fraction, absolute, free } = this.setting;
+    const percent = absolute === undefined;
+    return html`<meshbound-number-field
+      label="Bound of ${name} in ${percent ? 'percent' : (this.unit ?? 'its unit')}"
+      .text=${percent ? percentNumber(fraction) : String(absolute)}
+      .parse=${percent ? parsePercent : parseAmount}
+      ?disabled=${free}
+      @number-input=${({ detail }: CustomEvent<number>) =>
+        this.#change(percent ? { fraction: detail, free } : inUnit(detail, this.variable))}
+    ></meshbound-number-field>`;
+  }
+
+  #unitChoice() {
+    const { absolute, free } = this.setting;
+    return html`<select
+      class="in"
+      aria-label="How the bound of ${this.variable.name} is stated"
+      ?disabled=${free}
+      @change=${this.#restate}
+    >
+      <option value="percent" .selected=${live(absolute === undefined)}>%</option>
+      <option value="unit" .selected=${live(absolute !== undefined)}>${withUnit('', this.unit).trim() || 'value'}</option>
+    </select>`;
+  }
+
   #constant() {
     if (!this.variable.constant) return nothing;
-    return html` <span title="Its values differ by rounding only: the percentage is of their magnitude.">constant</span>`;
+    return html`<span title="Its values differ by rounding only: the percentage is of their magnitude.">constant</span>`;
   }
 
   #reached() {
@@ -114,12 +138,23 @@ export class BoundRow extends LitElement {
     </span>`;
   }
 
-  #input({ detail }: CustomEvent<number>): void {
-    this.#change({ ...this.setting, fraction: detail });
+  #slide(fraction: number): void {
+    const { absolute, free } = this.setting;
+    const amount = tidy(fraction * wholeOf(this.variable));
+    this.#change(absolute === undefined ? { fraction, free } : inUnit(amount, this.variable));
+  }
+
+  /** The same bound, in percent or in the unit. */
+  #restate({ target }: Event): void {
+    const { fraction, free } = this.setting;
+    if ((target as HTMLSelectElement).value === 'percent') this.#change({ fraction: tidy(fraction), free });
+    else this.#change(inUnit(tidy(fraction * wholeOf(this.variable)), this.variable));
+    settle(this);
   }
 
   #toggle({ target }: Event): void {
     this.#change({ ...this.setting, free: !(target as HTMLInputElement).checked });
+    settle(this);
   }
 
   #change(setting: BoundSetting): void {

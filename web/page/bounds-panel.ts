@@ -1,21 +1,35 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
 import type { Report, VariableExtent } from '../../wasm/index.ts';
-import { type BoundSetting, type BoundSettings, largestFraction } from '../session/bound-setting.ts';
+import { type BoundSetting, type BoundSettings, largestFraction, parsePercent } from '../session/bound-setting.ts';
+import { type Bounds, readBounds } from '../session/bound-text.ts';
 import type { Method, OpenSurface } from '../session/session.ts';
 import './bound-row.ts';
 import { controlsStyle } from '../element/controls-style.ts';
+import './menu.ts';
 import './method-choice.ts';
-import { percentText } from '../element/number-text.ts';
+import './number-field.ts';
+import { percentNumber, percentText } from '../element/number-text.ts';
 import { heldBackSentence } from '../element/promise-words.ts';
 
-/** What the panel asks for: the bound of one variable, or the largest of all with the others in proportion. */
-export type BoundChange = { variable: string; setting: BoundSetting } | { all: number };
+/** What the panel asks for: the bound of one variable, the largest of all with the others in proportion, or all. */
+export type BoundChange = { variable: string; setting: BoundSetting } | { all: number } | { bounds: Bounds };
+
+/** Mixes of bounds to begin with. */
+const presets = [
+  { text: 'Fine', title: '0.1 % in space, 0.3 % in every variable', bounds: 'position: 0.1%; *: 0.3%' },
+  { text: 'Usual', title: '1 % in space, 3 % in every variable', bounds: 'position: 1%; *: 3%' },
+  { text: 'Coarse', title: '3 % in space, 9 % in every variable', bounds: 'position: 3%; *: 9%' },
+  { text: 'All alike', title: '1 % in space and in every variable', bounds: '*: 1%' },
+  { text: 'Shape only', title: '1 % in space; every variable free', bounds: 'position: 1%; *: free' },
+];
 
 /**
  * A row for each variable of the surface, one that moves all, what holds the result back, and the method.
  *
  * @fires bounds-change with a BoundChange
+ * @fires undo
+ * @fires redo
  * @fires method-change with a Method
  */
 export class BoundsPanel extends LitElement {
@@ -25,6 +39,8 @@ export class BoundsPanel extends LitElement {
     method: { attribute: false },
     report: { attribute: false },
     measured: { type: Boolean },
+    canUndo: { type: Boolean },
+    canRedo: { type: Boolean },
   };
 
   static override styles = [
@@ -39,8 +55,14 @@ export class BoundsPanel extends LitElement {
         border-top: 1px solid var(--line);
       }
       h2 {
-        margin-bottom: 6px;
+        flex: 1;
         font-weight: 600;
+      }
+      .head {
+        display: flex;
+        gap: 6px;
+        align-items: center;
+        margin-bottom: 6px;
       }
       .all {
         display: grid;
@@ -66,6 +88,8 @@ export class BoundsPanel extends LitElement {
   declare report: Report | null;
   /** Whether the errors of the report were measured; otherwise they are limits from above. */
   declare measured: boolean;
+  declare canUndo: boolean;
+  declare canRedo: boolean;
 
   constructor() {
     super();
@@ -73,13 +97,18 @@ export class BoundsPanel extends LitElement {
     this.bounds = {};
     this.report = null;
     this.measured = true;
+    this.canUndo = false;
+    this.canRedo = false;
   }
 
   override render() {
     if (!this.surface) return html`<h2>Bounds</h2>`;
     const variables = this.surface.variables;
     return html`
-      <h2>Bounds</h2>
+      <div class="head">
+        <h2>Bounds</h2>
+        ${this.#steps()} ${this.#presets()}
+      </div>
       ${this.#all()}
       ${repeat(
         variables,
@@ -95,6 +124,28 @@ export class BoundsPanel extends LitElement {
     `;
   }
 
+  #steps() {
+    const step = (name: string, sign: string, keys: string, possible: boolean) =>
+      html`<button
+        aria-label=${name}
+        title="${name} the change of a bound (${keys})"
+        ?disabled=${!possible}
+        @click=${() => this.dispatchEvent(new CustomEvent(name.toLowerCase()))}
+      >
+        ${sign}
+      </button>`;
+    return html`${step('Undo', '\u21b6', 'Ctrl+Z', this.canUndo)}${step('Redo', '\u21b7', 'Ctrl+Y', this.canRedo)}`;
+  }
+
+  #presets() {
+    const items = presets.map(({ text, title, bounds }) => ({
+      text,
+      title,
+      take: () => this.#change({ bounds: readBounds(bounds) }),
+    }));
+    return html`<meshbound-menu label="Presets" .items=${items}></meshbound-menu>`;
+  }
+
   #all() {
     const fraction = largestFraction(this.bounds);
     const input = ({ detail }: CustomEvent<number>) => this.#change({ all: detail });
@@ -102,8 +153,15 @@ export class BoundsPanel extends LitElement {
       <span title="Sets the largest bound; the others keep their proportion to it.">
         All <span class="small soft">in proportion</span>
       </span>
-      <meshbound-percent-field label="Largest bound in percent" .fraction=${fraction} @bound-input=${input}>
-      </meshbound-percent-field>
+      <span>
+        <meshbound-number-field
+          label="Largest bound in percent"
+          .text=${percentNumber(fraction)}
+          .parse=${parsePercent}
+          @number-input=${input}
+        ></meshbound-number-field>
+        %
+      </span>
       <meshbound-bound-slider
         label="All bounds"
         spoken="largest ${percentText(fraction)}"

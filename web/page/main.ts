@@ -7,7 +7,7 @@ document.body.prepend(app);
 
 try {
   app.samples = await fetchSamples();
-  if (app.samples.length > 0) app.openSample(app.samples[0]);
+  app.begin();
 } catch (error) {
   app.viewer.session.report(error);
 }

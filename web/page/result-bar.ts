@@ -6,14 +6,9 @@ import { openingText } from '../element/progress.ts';
 import { promiseSentence } from '../element/promise-words.ts';
 import type { Opening } from '../session/session.ts';
 
-/** The formats that a reduced surface is saved in. */
-export const savedFormats = ['ply', 'vtp'] as const;
-export type SavedFormat = (typeof savedFormats)[number];
-
 /**
- * The result as one sentence, what it cost, and where to take it.
+ * The result as one sentence, what it cost, and, in its slot, where to take it.
  *
- * @fires save with a SavedFormat
  * @fires cancel
  * @fires reduce-again
  */
@@ -48,8 +43,7 @@ export class ResultBar extends LitElement {
         color: var(--ink-soft);
         transition: color 0s 0.15s;
       }
-      .numbers,
-      .saves {
+      .numbers {
         display: flex;
         gap: var(--gap);
         align-items: center;
@@ -93,13 +87,7 @@ export class ResultBar extends LitElement {
         ${this.report ? promiseSentence(this.report, this.measured) : ''}
       </p>
       <span class="numbers soft">${this.#numbers()}</span>
-      <span class="saves">
-        ${savedFormats.map(
-          (format) => html`<button ?disabled=${!this.report} @click=${() => this.#save(format)}>
-            Save ${format.toUpperCase()}
-          </button>`,
-        )}
-      </span>
+      <slot></slot>
     `;
   }
 
@@ -122,10 +110,6 @@ export class ResultBar extends LitElement {
 
   #cancelButton() {
     return html`<button class="cancel" @click=${() => this.#fire('cancel')}>Cancel</button>`;
-  }
-
-  #save(format: SavedFormat): void {
-    this.dispatchEvent(new CustomEvent('save', { detail: format }));
   }
 
   #fire(event: string): void {

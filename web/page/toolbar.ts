@@ -55,7 +55,7 @@ export class Toolbar extends LitElement {
         white-space: nowrap;
       }
       select {
-        width: 150px;
+        width: 122px;
         text-overflow: ellipsis;
       }
       @media (max-width: 800px) {
@@ -118,6 +118,7 @@ export class Toolbar extends LitElement {
           )}
         </select>
       </label>
+      <slot></slot>
     `;
   }
 

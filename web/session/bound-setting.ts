@@ -27,6 +27,14 @@ export function defaultBounds(variables: readonly string[]): BoundSettings {
   return Object.fromEntries(settings);
 }
 
+/** Whether these are the bounds that a surface starts with. */
+export function areFirst(settings: BoundSettings): boolean {
+  const first = defaultBounds(Object.keys(settings));
+  return Object.entries(settings).every(
+    ([name, { fraction, absolute, free }]) => !free && absolute === undefined && fraction === first[name].fraction,
+  );
+}
+
 /** The settings that state `bounds`: a variable that none reaches is free. */
 export function settingsFrom(bounds: Bounds, variables: readonly VariableExtent[]): BoundSettings {
   const first = defaultBounds(variables.map(({ name }) => name));
@@ -91,15 +99,28 @@ function asBound({ fraction, absolute, free }: BoundSetting): Bound {
   return absolute === undefined ? { relative: fraction } : { absolute };
 }
 
-/** A percentage that a user typed, as a tidy fraction, or what is wrong with it. */
-export function parsePercent(text: string): { fraction: number } | { fault: string } {
-  const written = text.trim().replace(/\s*%$/, '');
-  const percent = written === '' ? Number.NaN : tidy(Number(written));
-  if (Number.isNaN(percent))
+const zeroBound = 'A bound cannot be zero: nothing could be removed.';
+
+/** A number that a user typed, as the field shows it, or what is wrong with it. */
+export type Parsed = { value: number; text: string } | { fault: string };
+
+/** A percentage that a user typed, as a tidy fraction. */
+export function parsePercent(text: string): Parsed {
+  const parsed = parseAmount(text.trim().replace(/\s*%$/, ''));
+  if ('fault' in parsed) return parsed;
+  const percent = tidy(parsed.value);
+  const value = tidy(percent / 100);
+  return value === 0 ? { fault: zeroBound } : { value, text: String(percent) };
+}
+
+/** A bound in a variable's unit. */
+export function parseAmount(text: string): Parsed {
+  const written = text.trim();
+  const value = written === '' ? Number.NaN : Number(written);
+  if (Number.isNaN(value))
     return { fault: written === '' ? 'A bound needs a number.' : `“${written}” is not a number.` };
-  if (!Number.isFinite(percent)) return { fault: 'A bound must be finite. To set no bound, clear “bounded”.' };
-  if (percent < 0) return { fault: 'A bound cannot be negative.' };
-  const fraction = tidy(percent / 100);
-  if (fraction === 0) return { fault: 'A bound cannot be zero: nothing could be removed.' };
-  return { fraction };
+  if (!Number.isFinite(value)) return { fault: 'A bound must be finite. To set no bound, clear “bounded”.' };
+  if (value < 0) return { fault: 'A bound cannot be negative.' };
+  if (value === 0) return { fault: zeroBound };
+  return { value, text: String(value) };
 }

@@ -11,6 +11,7 @@ import {
 } from './bound-setting.ts';
 import type { Bounds } from './bound-text.ts';
 import { codeOf, messageOf, nonFiniteVariable } from './failure.ts';
+import { changed, type History, historyOf, redone, settled, undone } from './history.ts';
 import { Latest, superseded } from './latest.ts';
 import { oddityNotes } from './oddity-notes.ts';
 import type { OpenedFile } from './read.ts';
@@ -74,6 +75,9 @@ export interface SessionState {
   opening: Opening | null;
   surface: OpenSurface | null;
   bounds: BoundSettings;
+  /** Whether a change of the bounds can be undone, and done again. */
+  canUndo: boolean;
+  canRedo: boolean;
   method: Method;
   /** Of the running reduction, 0…1; null where none runs. */
   progress: number | null;
@@ -94,6 +98,8 @@ const emptyState: SessionState = {
   opening: null,
   surface: null,
   bounds: {},
+  canUndo: false,
+  canRedo: false,
   method: { errors: 'tracked', cost: 'introduced' },
   progress: null,
   cancelled: false,
@@ -114,6 +120,7 @@ export class Session extends EventTarget {
   #isStale = false;
   #lastNotice = 0;
   #wanted: Bounds | null = null;
+  #history = historyOf<BoundSettings>({});
   #state = emptyState;
 
   constructor(services: Services) {
@@ -141,22 +148,45 @@ export class Session extends EventTarget {
     });
   }
 
-  /** Bounds for the surface that is open and for all that are opened after it; null for those that surfaces begin with. */
-  wantBounds(bounds: Bounds | null): void {
+  /**
+   * Bounds for the surface that is open and for all that are opened after it; null for those that surfaces begin with.
+   *
+   * @param later leaves the surface that is open as it is
+   */
+  wantBounds(bounds: Bounds | null, { later = false } = {}): void {
     this.#wanted = bounds;
-    if (this.#state.surface) this.#setBounds(this.#firstBounds(this.#state.surface.variables));
+    if (!later && this.#state.surface) this.#setBounds(this.#firstBounds(this.#state.surface.variables));
   }
 
   setBound(variable: string, setting: BoundSetting): void {
-    this.#setBounds({ ...this.#state.bounds, [variable]: setting });
+    this.#setBounds({ ...this.#state.bounds, [variable]: setting }, variable);
   }
 
   /** Multiplies all bounds so that the largest becomes `fraction`. */
   setAllBounds(fraction: number): void {
-    this.#setBounds(moveAll(this.#state.bounds, fraction));
+    this.#setBounds(moveAll(this.#state.bounds, fraction), '*');
+  }
+
+  setBounds(bounds: Bounds): void {
+    if (this.#state.surface) this.#setBounds(settingsFrom(bounds, this.#state.surface.variables));
+  }
+
+  /** The change of a bound has come to rest: the next one is another step to undo. */
+  settleBounds(): void {
+    this.#history = settled(this.#history);
+  }
+
+  undo(): void {
+    this.#goTo(undone(this.#history));
+  }
+
+  redo(): void {
+    this.#goTo(redone(this.#history));
   }
 
   setMethod(method: Method): void {
+    const { errors, cost } = this.#state.method;
+    if (method.errors === errors && method.cost === cost) return;
     this.#update({ method });
     this.reduceAgain();
   }
@@ -236,7 +266,17 @@ export class Session extends EventTarget {
     this.#reducing.abort();
     const surface = { ...source, mesh, labels, variables, locked };
     const bounds = this.#firstBounds(variables);
-    this.#update({ opening: null, surface, bounds, progress: 0, cancelled: false, reduced: null });
+    this.#history = historyOf(bounds);
+    this.#update({
+      canUndo: false,
+      canRedo: false,
+      opening: null,
+      surface,
+      bounds,
+      progress: 0,
+      cancelled: false,
+      reduced: null,
+    });
     for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
     void this.#reduce();
   }
@@ -266,9 +306,16 @@ export class Session extends EventTarget {
     this.#notify({ kind: 'error', code, text, remedy: { label: `Leave out “${variable}”`, take } });
   }
 
-  #setBounds(bounds: BoundSettings): void {
-    if (!this.#state.surface) return;
-    this.#update({ bounds, progress: 0, cancelled: false });
+  /** @param of what is changed: in a row, changes of one thing are one step to undo */
+  #setBounds(bounds: BoundSettings, of: string | null = null): void {
+    if (this.#state.surface) this.#goTo(changed(this.#history, bounds, of));
+  }
+
+  #goTo(history: History<BoundSettings>): void {
+    this.#history = history;
+    const { past, present, future } = history;
+    const [canUndo, canRedo] = [past.length > 0, future.length > 0];
+    this.#update({ bounds: present, canUndo, canRedo, progress: 0, cancelled: false });
     if (this.#reducing.isRunning) {
       this.#isStale = true;
       clearTimeout(this.#timer);

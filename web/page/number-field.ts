@@ -1,16 +1,17 @@
 import { css, html, LitElement, nothing } from 'lit';
+import { settle } from '../element/bound-slider.ts';
 import { controlsStyle } from '../element/controls-style.ts';
-import { percentNumber } from '../element/number-text.ts';
-import { parsePercent } from '../session/bound-setting.ts';
+import type { Parsed } from '../session/bound-setting.ts';
 
 /**
- * A percentage to type. What cannot be a bound is refused with a reason, and the bound stays as it was.
+ * A number to type. What cannot be a bound is refused with a reason, and the bound stays as it was.
  *
- * @fires bound-input with the typed fraction
+ * @fires number-input with the number that the text stands for
  */
-export class PercentField extends LitElement {
+export class NumberField extends LitElement {
   static override properties = {
-    fraction: { type: Number },
+    text: {},
+    parse: { attribute: false },
     label: {},
     disabled: { type: Boolean },
     fault: { state: true },
@@ -48,7 +49,9 @@ export class PercentField extends LitElement {
     `,
   ];
 
-  declare fraction: number;
+  /** What stands in the field. */
+  declare text: string;
+  declare parse: (text: string) => Parsed;
   declare label: string;
   declare disabled: boolean;
   /** Why the last entry was refused. */
@@ -56,14 +59,14 @@ export class PercentField extends LitElement {
 
   constructor() {
     super();
-    this.fraction = 0;
+    this.text = '';
     this.label = '';
     this.disabled = false;
     this.fault = '';
   }
 
   override willUpdate(changed: Map<string, unknown>): void {
-    if (changed.has('fraction')) this.fault = '';
+    if (changed.has('text')) this.fault = '';
   }
 
   override render() {
@@ -74,32 +77,33 @@ export class PercentField extends LitElement {
         aria-label=${this.label}
         aria-invalid=${this.fault ? 'true' : 'false'}
         aria-describedby="fault"
-        .value=${percentNumber(this.fraction)}
+        .value=${this.text}
         ?disabled=${this.disabled}
         @change=${this.#change}
         @keydown=${this.#keydown}
-      />&#8239;%${this.fault ? html`<p id="fault" role="alert">${this.fault}</p>` : nothing}`;
+      />${this.fault ? html`<p id="fault" role="alert">${this.fault}</p>` : nothing}`;
   }
 
   #change({ target }: Event): void {
     const input = target as HTMLInputElement;
-    const parsed = parsePercent(input.value);
+    const parsed = this.parse(input.value);
     if ('fault' in parsed) {
       this.fault = parsed.fault;
       return;
     }
     this.fault = '';
     // Also where the bound is what it was, so that nothing draws the field again.
-    input.value = percentNumber(parsed.fraction);
-    this.dispatchEvent(new CustomEvent('bound-input', { detail: parsed.fraction }));
+    input.value = parsed.text;
+    this.dispatchEvent(new CustomEvent('number-input', { detail: parsed.value }));
+    settle(this);
   }
 
   /** Escape goes back to the bound that holds. */
   #keydown(event: KeyboardEvent): void {
     if (event.key !== 'Escape') return;
     this.fault = '';
-    (event.target as HTMLInputElement).value = percentNumber(this.fraction);
+    (event.target as HTMLInputElement).value = this.text;
   }
 }
 
-customElements.define('meshbound-percent-field', PercentField);
+customElements.define('meshbound-number-field', NumberField);
