@@ -158,6 +158,13 @@ describe('changing a bound', () => {
     expect(runs[1].options.bounds.pressure).toEqual({ relative: 0.06 });
   });
 
+  test('moving all, there and back, changes no proportion', async () => {
+    const { session } = await opened();
+    const { bounds } = session.state;
+    for (const fraction of [0.0731, 0.00117, 0.2, 0.0003, 0.03]) session.setAllBounds(fraction);
+    expect(session.state.bounds).toEqual(bounds);
+  });
+
   test('what a reduction gives while the slider moves is shown as not the last, and the next one starts', async () => {
     const { session, runs } = await opened();
     session.setAllBounds(0.1);

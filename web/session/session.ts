@@ -121,6 +121,8 @@ export class Session extends EventTarget {
   #lastNotice = 0;
   #wanted: Bounds | null = null;
   #history = historyOf<BoundSettings>({});
+  /** What all bounds are moved in proportion to: moving the rounded bounds on and on would change their proportions. */
+  #mix: BoundSettings = {};
   #state = emptyState;
 
   constructor(services: Services) {
@@ -164,7 +166,9 @@ export class Session extends EventTarget {
 
   /** Multiplies all bounds so that the largest becomes `fraction`. */
   setAllBounds(fraction: number): void {
-    this.#setBounds(moveAll(this.#state.bounds, fraction), '*');
+    const mix = this.#mix;
+    this.#setBounds(moveAll(mix, fraction), '*');
+    this.#mix = mix;
   }
 
   setBounds(bounds: Bounds): void {
@@ -267,6 +271,7 @@ export class Session extends EventTarget {
     const surface = { ...source, mesh, labels, variables, locked };
     const bounds = this.#firstBounds(variables);
     this.#history = historyOf(bounds);
+    this.#mix = bounds;
     this.#update({
       canUndo: false,
       canRedo: false,
@@ -314,6 +319,7 @@ export class Session extends EventTarget {
   #goTo(history: History<BoundSettings>): void {
     this.#history = history;
     const { past, present, future } = history;
+    this.#mix = present;
     const [canUndo, canRedo] = [past.length > 0, future.length > 0];
     this.#update({ bounds: present, canUndo, canRedo, progress: 0, cancelled: false });
     if (this.#reducing.isRunning) {
