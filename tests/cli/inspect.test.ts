@@ -90,3 +90,15 @@ test('what the reader did is said, on standard error unless it is part of the JS
   expect((await json('wrong.ply')).notes).toEqual([expect.stringContaining('The name ends in .ply')]);
   expect(await folder.run('inspect', '--quiet', 'wrong.ply')).toMatchObject({ status: 0, stderr: '' });
 });
+
+test('names from a file cannot command the terminal', async () => {
+  const geometry = 'DATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\nPOINT_DATA 3\n';
+  const array = (name: string, values: string) => `SCALARS ${name} double\nLOOKUP_TABLE default\n${values}\n`;
+  const text = geometry + array('%1B[31mred', '1 1 1') + array('%1B[2J', '1 nan 2');
+  folder.write('escape.vtk', `# vtk DataFile Version 3.0\nt\nASCII\n${text}`);
+  for (const args of [['inspect'], ['reduce', '-o', 'out.vtp', '-b', '*=1%'], ['verify', 'escape.vtk', '-b', '*=1%']]) {
+    const { stdout, stderr } = await folder.run(args[0], 'escape.vtk', ...args.slice(1));
+    expect(stdout + stderr).toContain('\u{FFFD}[');
+    expect(stdout + stderr).not.toContain('\u{1B}');
+  }
+});

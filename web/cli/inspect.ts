@@ -1,5 +1,5 @@
 import type { Variable } from '../../wasm/index.ts';
-import { grouped } from '../formats/wording.ts';
+import { grouped, listed } from '../formats/wording.ts';
 import { topologyOf } from '../surface/topology.ts';
 import { spanOf } from '../surface/value-span.ts';
 import { parseArguments } from './arguments.ts';
@@ -109,7 +109,7 @@ function print(found: Inspection): void {
   const constant = found.variables.filter((each) => each.constant).map(({ name }) => name);
   if (constant.length > 0) {
     console.log(
-      `\n  Constant up to rounding: ${constant.join(', ')}. Relative bounds are fractions of the magnitude there.`,
+      `\n  Constant up to rounding: ${listed(constant)}. Relative bounds are fractions of the magnitude there.`,
     );
   }
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env node
 import { version } from '../../package.json';
+import { printable } from '../formats/wording.ts';
 import type { Command } from './command.ts';
 import { exitStatus } from './exit-status.ts';
 import { Fault, UsageFault } from './fault.ts';
@@ -64,7 +65,7 @@ function complain(error: unknown, [name = '']: string[]): number {
     return exitStatus.signalled + error.signalNumber;
   }
   if (error instanceof Fault) {
-    console.error(`meshbound: ${error.message}`);
+    console.error(`meshbound: ${printable(error.message)}`);
     const command = Object.hasOwn(commands, name) ? `${name} ` : '';
     if (error instanceof UsageFault) console.error(`Try: meshbound ${command}--help`);
     return exitStatus.fault;

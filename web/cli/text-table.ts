@@ -1,7 +1,9 @@
+import { printable } from '../formats/wording.ts';
 import { roundedUp } from '../session/rounding.ts';
 
 /** Rows of cells as lines of text: the first column to the left, all others to the right. */
-export function textTable(rows: string[][]): string {
+export function textTable(table: string[][]): string {
+  const rows = table.map((row) => row.map(printable));
   const widths = rows[0].map((_, column) => Math.max(...rows.map((row) => row[column].length)));
   const cell = (text: string, column: number) =>
     column === 0 ? text.padEnd(widths[column]) : text.padStart(widths[column]);

@@ -1,5 +1,5 @@
 import type { Deviation, Verdict } from '../../wasm/judge-module.ts';
-import { grouped } from '../formats/wording.ts';
+import { grouped, printable } from '../formats/wording.ts';
 import { numberText, roundedUpText, textTable } from './text-table.ts';
 
 /** The farthest sample that was found in one direction. */
@@ -51,7 +51,7 @@ function row(title: string, { ratio, variable, position, samples }: Finding): st
 }
 
 export function verdictText({ bounds, surface, boundary }: Findings): string {
-  const limits = bounds.map(({ name, bound }) => `${name} ${roundedUpText(bound)}`).join(', ');
+  const limits = bounds.map(({ name, bound }) => `${printable(name)} ${roundedUpText(bound)}`).join(', ');
   const rows = [
     row('original to reduced', surface.fromOriginal),
     row('reduced to original', surface.fromReduced),

@@ -8,11 +8,16 @@ export function grouped(count: number): string {
   return String(count).replace(/\B(?=(\d{3})+$)/g, ' ');
 }
 
+/** A text from a file without control characters, which could do anything to a terminal. */
+export function printable(text: string): string {
+  return text.replace(/\p{Cc}/gu, '\u{FFFD}');
+}
+
 /** A name from a file, shortened and without control characters, fit to stand in a sentence. */
 export function quoted(name: string): string {
   const longest = 60;
-  const printable = name.replace(/\p{Cc}/gu, '\u{FFFD}');
-  return `“${printable.length > longest ? `${printable.slice(0, longest)}…` : printable}”`;
+  const shown = printable(name);
+  return `“${shown.length > longest ? `${shown.slice(0, longest)}…` : shown}”`;
 }
 
 /** `“a”, “b” and 17 more`: so that a note stays readable whatever a file holds. */
