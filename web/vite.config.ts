@@ -48,7 +48,13 @@ export default defineConfig({
   appType: 'mpa',
   plugins: [sampleFiles()],
   // The WebAssembly module stays a file of its own, which streams and is cached.
-  build: { outDir: join(root, '../dist'), emptyOutDir: true, assetsInlineLimit: 0, chunkSizeWarningLimit: 1024 },
+  build: {
+    outDir: join(root, '../dist'),
+    emptyOutDir: true,
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 1024,
+    rolldownOptions: { input: [join(root, 'index.html'), join(root, 'element.html')] },
+  },
   worker: { format: 'es' },
   server: { headers: isolation },
   preview: { headers: { ...isolation, ...policy } },

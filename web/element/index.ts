@@ -1,6 +1,7 @@
+import { loadWorkersFrom } from '../../workers/from-any-host.ts';
 import { MeshboundViewer } from './meshbound-viewer.ts';
 
-export { MeshboundViewer };
+export { loadWorkersFrom, MeshboundViewer };
 
 customElements.define('meshbound-viewer', MeshboundViewer);
 
