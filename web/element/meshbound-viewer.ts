@@ -1,15 +1,17 @@
 import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
-import { inspect, reduce } from '../../wasm/index.ts';
+import { inspect, reduce, reduceLevels } from '../../wasm/index.ts';
 import type { Reduction, Report } from '../../wasm/types.ts';
 import type { ValueColormap } from '../colour/colormaps.ts';
 import { areFirst, asBounds, largestFraction } from '../session/bound-setting.ts';
 import { boundsText, readBounds } from '../session/bound-text.ts';
 import { fetchBytes } from '../session/fetch-bytes.ts';
+import { LevelSession } from '../session/level-session.ts';
 import { readInWorker } from '../session/read.ts';
-import { type Method, Session, type SessionState } from '../session/session.ts';
+import { type Method, type Reduced, Session, type SessionState } from '../session/session.ts';
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
 import { download, type SavedKind, savedFile } from './download.ts';
+import { LevelView } from './level-view.ts';
 import './notices.ts';
 import { percentText } from './number-text.ts';
 import { overall, type Phase, type Step, stepOf } from './progress.ts';
@@ -208,6 +210,9 @@ export class MeshboundViewer extends LitElement implements WantedView {
 
   /** What is open, asked for and reached; for the page that is built around the element. @internal */
   readonly session = new Session({ inspect, reduce, read: readInWorker, fetchBytes });
+  /** Levels of detail of what the session reached. @internal */
+  readonly levels = new LevelSession(this.session, reduceLevels);
+  #levelView: LevelView | null = null;
   /** What the last change of the session was compared with. */
   #seen: SessionState = this.session.state;
   /** The same object until something in it changes, so that nothing is painted anew for nothing. */
@@ -238,6 +243,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.alt = null;
     this.drawnOnce = false;
     this.session.addEventListener('change', () => this.#sessionChanged());
+    this.levels.addEventListener('change', () => this.#levelsChanged());
   }
 
   /**
@@ -299,6 +305,11 @@ export class MeshboundViewer extends LitElement implements WantedView {
     Object.assign(this, { [name]: typeof this[name] === 'boolean' ? value !== null : value });
   }
 
+  /** What is shown and saved: the last result, or a level of detail of it. @internal */
+  get shown(): Reduced | null {
+    return this.levels.shown ?? this.session.state.reduced;
+  }
+
   /** Opens a file of the user's. */
   open(file: File): Promise<void> {
     return this.session.openFile(file);
@@ -330,7 +341,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
    * as VTP (the original with where each vertex went and what error it has there). What a format cannot hold is said.
    */
   async save(kind: SavedKind): Promise<void> {
-    const { surface, reduced } = this.session.state;
+    const { surface } = this.session.state;
+    const reduced = this.shown;
     if (!surface || !reduced) return;
     try {
       const { name, content, losses } = await savedFile(surface, reduced, kind);
@@ -364,6 +376,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
           exportparts="pane, caption, legend, legend-title, legend-bar, legend-ticks, canvas"
           .surface=${surface}
           .result=${reduced?.result ?? null}
+          .levels=${this.#levelView}
+          .position=${this.levels.state.position}
           .reducing=${progress !== null}
           .settings=${this.settings}
           @stage-drawn=${this.#stageDrawn}
@@ -420,7 +434,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
   }
 
   #sentence() {
-    const { reduction } = this;
+    const reduction = this.shown?.result;
     const text = reduction ? promiseSentence(reduction.report, isMeasured(reduction)) : '';
     return html`<p class="sentence" part="sentence" role="status">${text}</p>`;
   }
@@ -482,6 +496,14 @@ export class MeshboundViewer extends LitElement implements WantedView {
     for (const { kind, code, text } of now.notices.filter((notice) => !before.notices.includes(notice))) {
       if (kind === 'error') this.#fire('error', { code, message: text });
     }
+  }
+
+  #levelsChanged(): void {
+    const { nested } = this.levels.state;
+    const { surface } = this.session.state;
+    if (!nested || !surface) this.#levelView = null;
+    else if (this.#levelView?.nested !== nested) this.#levelView = new LevelView(surface, nested);
+    this.requestUpdate();
   }
 
   #stageDrawn(): void {

@@ -4,11 +4,14 @@ import { aboveBoundColour, type Colour, colourTable, missingColour } from '../co
 import type { OpenSurface } from '../session/session.ts';
 import { type Frame, frameOf } from '../viewer/frame.ts';
 import type { ShownColour } from '../viewer/lookup-material.ts';
+import { carriedOver, type MorphCorners } from '../viewer/morph-corners.ts';
+import type { MorphSource } from '../viewer/prepare-morph.ts';
 import { Viewer } from '../viewer/viewer.ts';
 import { type Colouring, type Meaning, valueColouring } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
 import { originalErrors, reducedErrors, unknownErrors } from './error-colouring.ts';
 import './legend.ts';
+import type { LevelStep, LevelView, MorphStep } from './level-view.ts';
 import { countText, trianglesText } from './number-text.ts';
 import { firstView, type ViewSettings } from './view-settings.ts';
 
@@ -27,6 +30,8 @@ export class Stage extends LitElement {
   static override properties = {
     surface: { attribute: false },
     result: { attribute: false },
+    levels: { attribute: false },
+    position: { type: Number },
     settings: { attribute: false },
     reducing: { type: Boolean },
     meanings: { state: true },
@@ -93,6 +98,9 @@ export class Stage extends LitElement {
 
   declare surface: OpenSurface | null;
   declare result: Reduction | null;
+  /** Levels of detail, to be shown at `position` instead of the result; null where there are none. */
+  declare levels: LevelView | null;
+  declare position: number;
   declare settings: ViewSettings;
   declare reducing: boolean;
   /** What the colours of each side mean. */
@@ -101,7 +109,11 @@ export class Stage extends LitElement {
   #viewer: Viewer | null = null;
   #frame: Frame = { centre: [0, 0, 0], radius: 1 };
   /** What each side has drawn. */
-  #drawn: (Mesh | null)[] = [null, null];
+  #drawn: (Mesh | MorphSource | null)[] = [null, null];
+  /** The morph that is being made ready to draw. */
+  #coming: MorphSource | null = null;
+  /** Where the corners of the morph that is drawn lie on its two levels. */
+  #morphCorners: readonly [finer: MorphCorners, coarser: MorphCorners] | null = null;
   /** The result that the reduced side has drawn: errors on the original side are its errors. */
   #drawnResult: Reduction | null = null;
 
@@ -109,6 +121,8 @@ export class Stage extends LitElement {
     super();
     this.surface = null;
     this.result = null;
+    this.levels = null;
+    this.position = 1;
     this.settings = firstView;
     this.reducing = false;
     this.meanings = [null, null];
@@ -152,8 +166,11 @@ export class Stage extends LitElement {
 
   #reducedCaption() {
     if (!this.result) return html`<span class="soft">${this.reducing ? 'Reducing…' : 'Not reduced'}</span>`;
-    const count = this.result.report.triangles.after;
-    return html`Reduced <b>${countText(count)}</b> ${trianglesText(count)}`;
+    const step = this.#step();
+    if (step && 'morph' in step) return html`On the way to level <b>${step.from + 1}</b>`;
+    if (step?.level === 0) return html`Original, as level 0`;
+    const count = (step?.result ?? this.result).report.triangles.after;
+    return html`${step ? `Level ${step.level}` : 'Reduced'} <b>${countText(count)}</b> ${trianglesText(count)}`;
   }
 
   override firstUpdated(): void {
@@ -190,7 +207,7 @@ export class Stage extends LitElement {
   override updated(changed: Map<string, unknown>): void {
     if (!this.#viewer) return;
     if (changed.has('surface')) this.#showOriginal();
-    if (changed.has('surface') || changed.has('result')) this.#showReduced();
+    if (['surface', 'result', 'levels', 'position'].some((each) => changed.has(each))) this.#showReduced();
     if (changed.has('settings')) this.#applySettings(this.#viewer);
   }
 
@@ -212,11 +229,50 @@ export class Stage extends LitElement {
   }
 
   #showReduced(): void {
-    const { result } = this;
-    void this.#show(reduced, result?.mesh ?? null, () => {
-      this.#drawnResult = result;
-      if (this.settings.quantity !== 'value') this.#repaint(original);
+    const step = this.#step();
+    if (step && 'morph' in step) {
+      this.#showMorph(step);
+      return;
+    }
+    this.#coming = null;
+    const result = step?.result ?? this.result;
+    const mesh = step?.mesh ?? this.result?.mesh ?? null;
+    if (step) this.#endAt(step.level);
+    if (mesh && mesh === this.#drawn[reduced] && result === this.#drawnResult) return;
+    void this.#show(reduced, mesh, () => this.#changedResult(result));
+  }
+
+  #changedResult(result: Reduction | null): void {
+    this.#drawnResult = result;
+    if (this.settings.quantity !== 'value') this.#repaint(original);
+  }
+
+  #showMorph(step: MorphStep): void {
+    if (this.#drawn[reduced] === step.morph) this.#viewer?.setShare(reduced, step.share);
+    if (this.#drawn[reduced] === step.morph || this.#coming === step.morph) return;
+    this.#coming = step.morph;
+    void this.#viewer?.showMorph(reduced, step.morph, this.#frame, (finer, coarser) => {
+      this.#coming = null;
+      this.#drawn[reduced] = step.morph;
+      this.#morphCorners = [finer, coarser];
+      this.#changedResult(step.result);
+      // The slider may have moved on meanwhile.
+      this.#viewer?.setShare(reduced, this.#morph()?.share ?? step.share);
+      return this.#paintMorph();
     });
+  }
+
+  /** A morph that is still drawn waits at its end for the level there. */
+  #endAt(level: number): void {
+    const before = this.levels?.at(level - 0.5);
+    if (before && 'morph' in before && this.#drawn[reduced] === before.morph) this.#viewer?.setShare(reduced, 1);
+    const behind = this.levels?.at(level + 0.5);
+    if (behind && 'morph' in behind && this.#drawn[reduced] === behind.morph) this.#viewer?.setShare(reduced, 0);
+  }
+
+  /** What is to be shown of the levels; null where there are none. */
+  #step(): LevelStep | null {
+    return this.levels && this.levels.surface === this.surface ? this.levels.at(this.position) : null;
   }
 
   async #show(side: number, mesh: Mesh | null, drawn = () => {}): Promise<void> {
@@ -231,7 +287,9 @@ export class Stage extends LitElement {
 
   /** What is about to be replaced keeps its colours; what replaces it takes the new settings when it is drawn. */
   #repaint(side: number): void {
-    if (this.#drawn[side] === this.#due(side)) this.#viewer?.recolour(side, this.#paint(side));
+    if (this.#drawn[side] !== this.#due(side)) return;
+    if (side === reduced && this.#morph()) this.#viewer?.recolour(side, ...this.#paintMorph());
+    else this.#viewer?.recolour(side, this.#paint(side));
   }
 
   #applySettings(viewer: Viewer): void {
@@ -242,7 +300,27 @@ export class Stage extends LitElement {
 
   /** Makes map and legend of a side those of what it has drawn, and returns the places of its corners in the map. */
   #paint(side: number): Float32Array {
-    const colouring = this.#colouring(side);
+    return this.#use(side, this.#colouring(side));
+  }
+
+  /** The same for a morph, on both of its ends. The map is that of the coarser level. */
+  #paintMorph(): readonly [finer: Float32Array, coarser: Float32Array] {
+    const { levels } = this;
+    const step = this.#morph();
+    if (!levels || !step || !this.#morphCorners) return [new Float32Array(), new Float32Array()];
+    const ends = [step.from, step.from + 1].map((level) => levels.colouring(level, this.settings));
+    this.#use(reduced, ends[1]);
+    const [finer, coarser] = ends.map(({ places }, end) => carriedOver(places, 1, (this.#morphCorners ?? [])[end]));
+    return [finer, coarser];
+  }
+
+  /** The morph that is to be shown; null where none is. */
+  #morph(): MorphStep | null {
+    const step = this.#step();
+    return step && 'morph' in step ? step : null;
+  }
+
+  #use(side: number, colouring: Colouring | null): Float32Array {
     const meaning = colouring?.meaning ?? null;
     this.meanings = this.meanings.map((old, index) => (index === side ? meaning : old));
     if (!colouring) return new Float32Array();
@@ -256,12 +334,19 @@ export class Stage extends LitElement {
   }
 
   /** What a side is to show. */
-  #due(side: number): Mesh | null {
-    return (side === original ? this.surface : this.result)?.mesh ?? null;
+  #due(side: number): Mesh | MorphSource | null {
+    if (side === original) return this.surface?.mesh ?? null;
+    const step = this.#step();
+    if (step) return 'morph' in step ? step.morph : step.mesh;
+    return this.result?.mesh ?? null;
   }
 
   #colouring(side: number): Colouring | null {
-    const mesh = this.#drawn[side];
+    const step = this.#step();
+    if (side === reduced && step && this.levels && 'level' in step) {
+      return this.levels.colouring(step.level, this.settings);
+    }
+    const mesh = this.#drawn[side] as Mesh | null;
     const [surface, result] = [this.surface, this.#drawnResult];
     if (!mesh || !surface) return null;
     if (this.settings.quantity === 'value' || !result) return valueColouring(mesh, surface, this.settings);

@@ -12,8 +12,11 @@ import { isMeasured } from '../element/promise-words.ts';
 import { tokens } from '../element/tokens.ts';
 import { FileDrop } from './file-drop.ts';
 import './result-bar.ts';
+
+import './levels-panel.ts';
 import { Link } from './link.ts';
 import './menu.ts';
+
 import type { Sample } from './samples.ts';
 import './toolbar.ts';
 
@@ -41,7 +44,7 @@ export class App extends LitElement {
     css`
       :host {
         display: grid;
-        grid-template: 'toolbar toolbar' auto 'bounds stage' minmax(0, 1fr) 'result result' auto / 320px minmax(0, 1fr);
+        grid-template: 'toolbar toolbar' auto 'bounds stage' minmax(0, 1fr) 'bounds levels' auto 'result result' auto / 320px minmax(0, 1fr);
         height: 100dvh;
       }
       meshbound-toolbar {
@@ -58,6 +61,11 @@ export class App extends LitElement {
       meshbound-viewer {
         grid-area: stage;
         aspect-ratio: auto;
+      }
+      meshbound-levels-panel {
+        grid-area: levels;
+        background: var(--panel);
+        border-top: 1px solid var(--line);
       }
       meshbound-result-bar {
         grid-area: result;
@@ -80,7 +88,7 @@ export class App extends LitElement {
       }
       @media (max-width: 800px) {
         :host {
-          grid-template: 'toolbar' auto 'stage' min(150vw, 70dvh) 'result' auto 'bounds' auto / minmax(0, 1fr);
+          grid-template: 'toolbar' auto 'stage' min(150vw, 70dvh) 'levels' auto 'result' auto 'bounds' auto / minmax(0, 1fr);
           height: auto;
         }
         .bounds {
@@ -102,6 +110,7 @@ export class App extends LitElement {
     super();
     this.samples = [];
     this.viewer.setAttribute('role', 'main');
+    this.viewer.levels.addEventListener('change', () => this.requestUpdate());
     this.viewer.session.addEventListener('change', () => this.#changed());
     this.addEventListener('bound-settled', () => this.viewer.session.settleBounds());
     addEventListener('keydown', this.#pressKey);
@@ -148,9 +157,17 @@ export class App extends LitElement {
         ></meshbound-bounds-panel>
       </div>
       ${this.viewer}
+      <meshbound-levels-panel
+        role="region"
+        aria-label="Detail"
+        .levels=${this.viewer.levels.state}
+        ?disabled=${!surface}
+        @level-count=${({ detail }: CustomEvent<number>) => this.viewer.levels.setCount(detail)}
+        @level-position=${({ detail }: CustomEvent<number>) => this.viewer.levels.setPosition(detail)}
+      ></meshbound-levels-panel>
       <meshbound-result-bar
         role="contentinfo"
-        .report=${result?.report ?? null}
+        .report=${this.viewer.shown?.result.report ?? null}
         .measured=${measured}
         .opening=${opening}
         .progress=${progress}

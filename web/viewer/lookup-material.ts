@@ -7,6 +7,15 @@ const vertexShader = /* glsl */ `
 in vec3 position;
 in vec3 normal;
 in float place;
+#ifdef MORPH
+in vec3 coarserPosition;
+in vec3 coarserNormal;
+in float coarserPlace;
+uniform float share;
+#define towardsCoarser(finer, coarser) mix(finer, coarser, share)
+#else
+#define towardsCoarser(finer, coarser) finer
+#endif
 
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
@@ -18,14 +27,14 @@ out vec3 corner;
 out float shownPlace;
 
 void main() {
-  vec4 inView = modelViewMatrix * vec4(position, 1.0);
+  vec4 inView = modelViewMatrix * vec4(towardsCoarser(position, coarserPosition), 1.0);
   gl_Position = projectionMatrix * inView;
   seenFrom = inView.xyz;
-  smoothNormal = normalMatrix * normal;
+  smoothNormal = normalMatrix * towardsCoarser(normal, coarserNormal);
   // No vertex is shared between triangles, so its number says which corner of the triangle it is.
   int which = gl_VertexID % 3;
   corner = vec3(which == 0, which == 1, which == 2);
-  shownPlace = place;
+  shownPlace = towardsCoarser(place, coarserPlace);
 }
 `;
 
@@ -60,10 +69,19 @@ vec3 lookUp(float place) {
   return texture(map, vec2((clamp(place, 0.0, 1.0) * (texels - 1.0) + 0.5) / texels, 0.5)).rgb;
 }
 
+/** What a morph folds lies back to front among the rest of its surface, and is lit as that is. */
+bool isFront() {
+#ifdef MORPH
+  return dot(smoothNormal, seenFrom) <= 0.0;
+#else
+  return gl_FrontFacing;
+#endif
+}
+
 float light() {
   vec3 normal = edges || dot(smoothNormal, smoothNormal) == 0.0
     ? normalize(cross(dFdx(seenFrom), dFdy(seenFrom)))
-    : normalize(gl_FrontFacing ? smoothNormal : -smoothNormal);
+    : normalize(isFront() ? smoothNormal : -smoothNormal);
   return mix(darkest, 1.0, max(dot(normal, lightFrom), 0.0));
 }
 
@@ -91,19 +109,23 @@ export interface LookupUniforms {
   /** Whether places above 1 get `aboveColour` (error / bound) or the end of the map (values). */
   markAbove: { value: boolean };
   edges: { value: boolean };
+  /** Of a morph: how far it is on its way to the coarser level, 0…1. */
+  share: { value: number };
 }
 
 /**
  * Draws triangles whose attribute `place` says where in the map each corner stands, 0…1; −1 at all three where there is
  * nothing to show. The place is interpolated and the colour looked up for every fragment: blending the colours of the
- * vertices would show colours that are not in the map.
+ * vertices would show colours that are not in the map. With MORPH position, normal and place have counterparts on a coarser
+ * level, and are mixed by the uniform `share`.
  */
-export function lookupMaterial(uniforms: LookupUniforms): RawShaderMaterial {
+export function lookupMaterial(uniforms: LookupUniforms, defines: { MORPH?: true } = {}): RawShaderMaterial {
   return new RawShaderMaterial({
     glslVersion: GLSL3,
     vertexShader,
     fragmentShader,
     side: DoubleSide,
+    defines,
     uniforms: uniforms as unknown as RawShaderMaterial['uniforms'],
   });
 }

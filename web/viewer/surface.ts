@@ -23,6 +23,12 @@ export interface Lookup {
   missing: ShownColour;
 }
 
+/** A surface, or an end of a morph, with the place in the map of each of its corners. */
+export interface DrawnEnd {
+  arrays: SurfaceArrays;
+  places: Float32Array;
+}
+
 /** One surface in a scene of its own, with the memory that it holds on the graphics card. */
 export class Surface {
   readonly scene = new Scene();
@@ -32,29 +38,37 @@ export class Surface {
     missingColour: { value: [0.5, 0.5, 0.5] },
     markAbove: { value: false },
     edges: { value: false },
+    share: { value: 0 },
   };
   #material: RawShaderMaterial = lookupMaterial(this.#uniforms);
+  #morphing: RawShaderMaterial = lookupMaterial(this.#uniforms, { MORPH: true });
   #mesh: Mesh<BufferGeometry, RawShaderMaterial> | null = null;
 
   /** Replaces what is drawn; nothing where `arrays` is null. `places` has one number a corner. */
   draw(arrays: SurfaceArrays | null, places: Float32Array): void {
     this.#remove();
-    if (!arrays) return;
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(arrays.corners, 3));
-    geometry.setAttribute('normal', new BufferAttribute(arrays.normals, 3));
-    geometry.setAttribute('place', new BufferAttribute(places, 1));
-    geometry.boundingSphere = new Sphere(new Vector3(), 1);
-    this.#mesh = new Mesh(geometry, this.#material);
-    this.scene.add(this.#mesh);
+    if (arrays) this.#add(geometryOf(arrays, places), this.#material);
   }
 
-  /** Shows other places on the same triangles. */
-  recolour(places: Float32Array): void {
-    const attribute = this.#mesh?.geometry.getAttribute('place') as BufferAttribute | undefined;
-    if (!attribute) return;
-    attribute.array.set(places);
-    attribute.needsUpdate = true;
+  /** Replaces what is drawn by a morph, of which `share` says how far it is. The two ends have the same triangles. */
+  drawMorph(finer: DrawnEnd, coarser: DrawnEnd): void {
+    this.#remove();
+    const geometry = geometryOf(finer.arrays, finer.places);
+    geometry.setAttribute('coarserPosition', new BufferAttribute(coarser.arrays.corners, 3));
+    geometry.setAttribute('coarserNormal', new BufferAttribute(coarser.arrays.normals, 3));
+    geometry.setAttribute('coarserPlace', new BufferAttribute(coarser.places, 1));
+    this.#add(geometry, this.#morphing);
+  }
+
+  /** How far a morph is on its way to the coarser level, 0…1. */
+  set share(share: number) {
+    this.#uniforms.share.value = share;
+  }
+
+  /** Shows other places on the same triangles; of a morph those of both ends. */
+  recolour(places: Float32Array, coarserPlaces?: Float32Array): void {
+    this.#replace('place', places);
+    if (coarserPlaces) this.#replace('coarserPlace', coarserPlaces);
   }
 
   set lookup({ table, markAbove, above, missing }: Lookup) {
@@ -76,7 +90,20 @@ export class Surface {
   dispose(): void {
     this.#remove();
     this.#material.dispose();
+    this.#morphing.dispose();
     this.#uniforms.map.value?.dispose();
+  }
+
+  #add(geometry: BufferGeometry, material: RawShaderMaterial): void {
+    this.#mesh = new Mesh(geometry, material);
+    this.scene.add(this.#mesh);
+  }
+
+  #replace(name: string, numbers: Float32Array): void {
+    const attribute = this.#mesh?.geometry.getAttribute(name) as BufferAttribute | undefined;
+    if (!attribute) return;
+    attribute.array.set(numbers);
+    attribute.needsUpdate = true;
   }
 
   #remove(): void {
@@ -85,4 +112,13 @@ export class Surface {
     this.#mesh.geometry.dispose();
     this.#mesh = null;
   }
+}
+
+function geometryOf(arrays: SurfaceArrays, places: Float32Array): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(arrays.corners, 3));
+  geometry.setAttribute('normal', new BufferAttribute(arrays.normals, 3));
+  geometry.setAttribute('place', new BufferAttribute(places, 1));
+  geometry.boundingSphere = new Sphere(new Vector3(), 1);
+  return geometry;
 }

@@ -1,7 +1,9 @@
 import { WebGLRenderer } from 'three';
 import type { Frame } from './frame.ts';
 import { LinkedCameras } from './linked-cameras.ts';
+import type { MorphCorners } from './morph-corners.ts';
 import { SurfacePreparer } from './prepare.ts';
+import { MorphPreparer, type MorphSource } from './prepare-morph.ts';
 import { type Lookup, Surface } from './surface.ts';
 import type { Triangles } from './surface-arrays.ts';
 
@@ -19,8 +21,9 @@ export class Viewer {
   #renderer: WebGLRenderer;
   #surfaces: Surface[];
   #preparer = new SurfacePreparer();
+  #morphPreparer = new MorphPreparer();
   /** What each pane was last asked to show. */
-  #wanted: (Triangles | null)[];
+  #wanted: (Triangles | MorphSource | null)[];
   #resizes = new ResizeObserver(() => this.#resize());
   #nextDraw = 0;
 
@@ -51,9 +54,39 @@ export class Viewer {
     this.#requestDraw();
   }
 
-  /** Other places on the surface that a pane shows. */
-  recolour(pane: number, places: Float32Array): void {
-    this.#surfaces[pane].recolour(places);
+  /**
+   * Replaces what a pane shows by a morph between two surfaces, as soon as it is ready to be drawn and unless something
+   * newer was asked for meanwhile.
+   *
+   * @param places called when it is drawn, with its corners on the finer and on the coarser surface: the place in the
+   * look-up table of each of them
+   */
+  async showMorph(
+    pane: number,
+    morph: MorphSource,
+    frame: Frame,
+    places: (finer: MorphCorners, coarser: MorphCorners) => readonly [finer: Float32Array, coarser: Float32Array],
+  ): Promise<void> {
+    this.#wanted[pane] = morph;
+    const { finer, coarser } = await this.#morphPreparer.prepare(morph, frame);
+    if (this.#wanted[pane] !== morph) return;
+    const [finerPlaces, coarserPlaces] = places(finer.at, coarser.at);
+    this.#surfaces[pane].drawMorph(
+      { arrays: finer.arrays, places: finerPlaces },
+      { arrays: coarser.arrays, places: coarserPlaces },
+    );
+    this.#requestDraw();
+  }
+
+  /** How far the morph of a pane is on its way to the coarser surface, 0…1. */
+  setShare(pane: number, share: number): void {
+    this.#surfaces[pane].share = share;
+    this.#requestDraw();
+  }
+
+  /** Other places on the surface that a pane shows; of a morph on both of its ends. */
+  recolour(pane: number, places: Float32Array, coarserPlaces?: Float32Array): void {
+    this.#surfaces[pane].recolour(places, coarserPlaces);
     this.#requestDraw();
   }
 
@@ -76,6 +109,7 @@ export class Viewer {
     this.#wanted.fill(null);
     this.#resizes.disconnect();
     this.#preparer.dispose();
+    this.#morphPreparer.dispose();
     this.cameras.dispose();
     for (const surface of this.#surfaces) surface.dispose();
     this.#renderer.dispose();

@@ -1,0 +1,131 @@
+import { expect, type Page, test } from '@playwright/test';
+import { look, sentence, sharePage } from './open-page.ts';
+import { coverage, difference, hasBrokenBound, type Picture, pictureOf } from './picture.ts';
+
+const page = sharePage();
+
+async function makeLevels(shown: Page, count: string): Promise<void> {
+  await shown.getByLabel('Levels of detail').selectOption(count);
+  await expect(shown.getByLabel('Position among levels')).toBeEnabled();
+}
+
+/** Moves the slider, and waits until the picture rests. */
+async function moveTo(shown: Page, position: number): Promise<Picture> {
+  await shown.getByLabel('Position among levels').fill(String(position));
+  return rested(shown);
+}
+
+async function rested(shown: Page): Promise<Picture> {
+  let last = await pictureOf(shown, 'reduced');
+  await expect
+    .poll(async () => {
+      const before = last;
+      last = await pictureOf(shown, 'reduced');
+      return difference(before, last);
+    })
+    .toBe(0);
+  return last;
+}
+
+/** Background pixels that the surface encloses, and more than a pixel's worth of them: holes. */
+function holes({ width, height, pixels }: Picture): number {
+  const isBackground = (pixel: number) =>
+    [0, 1, 2].every((part) => Math.abs(pixels[4 * pixel + part] - pixels[part]) <= 6);
+  const open = [0];
+  const outside = new Uint8Array(width * height);
+  outside[0] = 1;
+  for (let pixel = open.pop(); pixel !== undefined; pixel = open.pop()) {
+    const [x, y] = [pixel % width, Math.floor(pixel / width)];
+    for (const [nx, ny] of [
+      [x - 1, y],
+      [x + 1, y],
+      [x, y - 1],
+      [x, y + 1],
+    ]) {
+      const next = ny * width + nx;
+      if (nx < 0 || ny < 0 || nx >= width || ny >= height || outside[next] || !isBackground(next)) continue;
+      outside[next] = 1;
+      open.push(next);
+    }
+  }
+  return outside.filter((reached, pixel) => !reached && isBackground(pixel)).length;
+}
+
+test('a slider leads through all levels without a hole or a jump', async () => {
+  await look(page());
+  await makeLevels(page(), '3');
+  const pictures: Picture[] = [];
+  for (let position = 0; position <= 3; position += 0.25) pictures.push(await moveTo(page(), position));
+  for (const picture of pictures) {
+    expect(coverage(picture)).toBeGreaterThan(0.05);
+    expect(holes(picture)).toBe(0);
+  }
+  expect(difference(pictures[0], await pictureOf(page(), 'original'))).toBeLessThan(0.002);
+  expect(difference(pictures[0], pictures[12])).toBeGreaterThan(0.02);
+});
+
+test('the ends of a morph look like the levels themselves, in values and in errors', async () => {
+  await makeLevels(page(), '3');
+  for (const show of ['values', 'error / bound']) {
+    await look(page(), { show });
+    for (const level of [1, 2, 3]) {
+      const exact = await moveTo(page(), level);
+      expect(hasBrokenBound(exact)).toBe(false);
+      for (const near of [level - 0.01, level + 0.01]) {
+        if (near < 3) expect(difference(exact, await moveTo(page(), near))).toBeLessThan(0.03);
+      }
+    }
+  }
+});
+
+test('a level is what the caption, the sentence and the file say', async () => {
+  await look(page());
+  await makeLevels(page(), '3');
+  const texts: string[] = [];
+  for (const level of [1, 2, 3]) {
+    await page()
+      .getByRole('button', { name: `Level ${level}`, exact: true })
+      .click();
+    const caption = page().locator('#reduced .caption');
+    await expect(caption).toContainText(`Level ${level}`);
+    const count = (await caption.locator('b').innerText()).trim();
+    await expect(sentence(page())).toContainText(`${count} of`);
+    await expect(sentence(page())).toContainText(`within ${2 ** (level - 1)} % in space`);
+    texts.push(count);
+  }
+  expect(new Set(texts).size).toBe(3);
+  await page().getByRole('button', { name: 'Original', exact: true }).click();
+  await expect(page().locator('#reduced .caption')).toContainText('Original');
+});
+
+test('one draw call shows a morph, however many levels there are', async () => {
+  await makeLevels(page(), '4');
+  const calls = await page().evaluate(async () => {
+    const counted = { calls: 0, vertices: 0 };
+    const draw = WebGL2RenderingContext.prototype.drawArrays;
+    WebGL2RenderingContext.prototype.drawArrays = function (mode, first, count) {
+      counted.calls++;
+      counted.vertices += count;
+      draw.call(this, mode, first, count);
+    };
+    const app = document.querySelector('meshbound-app') as unknown as {
+      viewer: { levels: { setPosition(position: number): void } };
+    };
+    app.viewer.levels.setPosition(2.5);
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    Object.assign(counted, { calls: 0, vertices: 0 });
+    app.viewer.levels.setPosition(2.6);
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    WebGL2RenderingContext.prototype.drawArrays = draw;
+    return counted;
+  });
+  expect(calls.calls).toBe(2); // a side each
+  expect(calls.vertices).toBeGreaterThan(3 * 7000);
+});
+
+test('without levels the result is back', async () => {
+  await makeLevels(page(), '2');
+  await page().getByLabel('Levels of detail').selectOption('0');
+  await expect(page().locator('#reduced .caption')).toContainText('Reduced');
+  await expect(page().getByLabel('Position among levels')).toHaveCount(0);
+});

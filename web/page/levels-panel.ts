@@ -1,0 +1,143 @@
+import { css, html, LitElement, nothing } from 'lit';
+import { controlsStyle } from '../element/controls-style.ts';
+import { countText } from '../element/number-text.ts';
+import type { LevelState } from '../session/level-session.ts';
+
+/** How many levels can be asked for. */
+const counts = [0, 2, 3, 4, 5, 6];
+/** One press of an arrow key moves this far from level to level. */
+const step = 0.01;
+
+/**
+ * Levels of detail: how many, and which is shown.
+ *
+ * @fires level-count with how many levels there are to be
+ * @fires level-position with the position that is to be shown
+ */
+export class LevelsPanel extends LitElement {
+  static override properties = {
+    levels: { attribute: false },
+    disabled: { type: Boolean },
+  };
+
+  static override styles = [
+    controlsStyle,
+    css`
+      :host {
+        display: flex;
+        flex-wrap: wrap;
+        gap: var(--gap) 16px;
+        align-items: center;
+        min-height: 51px;
+        padding: 8px 12px;
+      }
+      label {
+        display: flex;
+        gap: var(--gap);
+        align-items: center;
+        white-space: nowrap;
+      }
+      .slider {
+        flex: 1 1 200px;
+        max-width: 420px;
+      }
+      input {
+        display: block;
+        width: 100%;
+        height: 16px;
+        margin: 0;
+      }
+      /* As wide as the way of the slider's thumb, whose middle stands above the numbers. */
+      .marks {
+        display: flex;
+        justify-content: space-between;
+        margin: 0 -4px;
+      }
+      .marks button {
+        width: 24px;
+        min-height: 18px;
+        padding: 0;
+        font-size: 11px;
+        color: var(--ink-soft);
+        background: none;
+        border: none;
+      }
+      /* One line, so that the stage keeps its height. */
+      .now {
+        flex: 1 1 240px;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+    `,
+  ];
+
+  declare levels: LevelState;
+  declare disabled: boolean;
+
+  override render() {
+    const { count, nested, progress, position } = this.levels;
+    return html`
+      <label>
+        Levels of detail
+        <select ?disabled=${this.disabled} @change=${this.#countChanged}>
+          ${counts.map((each) => html`<option value=${each} ?selected=${each === count}>${each || 'none'}</option>`)}
+        </select>
+      </label>
+      ${count > 0 ? this.#slider(count, position, nested === null) : nothing}
+      <span class="now soft">${progress === null ? this.#now() : `Making levels: ${Math.floor(100 * progress)} %`}</span>
+    `;
+  }
+
+  #slider(count: number, position: number, waiting: boolean) {
+    return html`<div class="slider">
+      <input
+        type="range"
+        aria-label="Position among levels"
+        aria-valuetext=${this.#now()}
+        min="0"
+        max=${count}
+        step=${step}
+        .value=${String(position)}
+        ?disabled=${waiting}
+        @input=${({ target }: Event) => this.#move(Number((target as HTMLInputElement).value))}
+      />
+      <div class="marks">${Array.from({ length: count + 1 }, (_, level) => this.#mark(level, waiting))}</div>
+    </div>`;
+  }
+
+  #mark(level: number, waiting: boolean) {
+    const name = level === 0 ? 'Original' : `Level ${level}`;
+    return html`<button ?disabled=${waiting} title=${name} aria-label=${name} @click=${() => this.#move(level)}>
+      ${level === 0 ? 'O' : level}
+    </button>`;
+  }
+
+  /** What is shown, in words. */
+  #now(): string {
+    const { nested, position } = this.levels;
+    if (!nested) return this.levels.count > 0 ? '' : 'Coarser and coarser, with a smooth way from one to the next';
+    const from = Math.floor(position);
+    if (position === from && from === 0) return 'The original';
+    if (position === from) return `Level ${from}: ${this.#triangles(from)}, bounds × ${2 ** (from - 1)}`;
+    const percent = Math.round(100 * (position - from));
+    const start = from === 0 ? 'the original' : `level ${from}`;
+    const count = nested.morphs[from] ? `, ${countText(nested.morphs[from].triangles.length / 3)} pieces` : '';
+    return `${percent} % from ${start} to level ${from + 1}${count}`;
+  }
+
+  #triangles(level: number): string {
+    const count = this.levels.nested?.levels[level - 1].report.triangles.after ?? 0;
+    return `${countText(count)} triangles`;
+  }
+
+  #countChanged = ({ target }: Event): void => {
+    this.dispatchEvent(new CustomEvent('level-count', { detail: Number((target as HTMLSelectElement).value) }));
+  };
+
+  #move(position: number): void {
+    this.dispatchEvent(new CustomEvent('level-position', { detail: position }));
+  }
+}
+
+customElements.define('meshbound-levels-panel', LevelsPanel);

@@ -1,0 +1,106 @@
+import type { Levels, LevelsOptions, Mesh } from '../../wasm/index.ts';
+import { asBounds, type BoundSettings, largestFraction, moveAll } from './bound-setting.ts';
+import { Latest, superseded } from './latest.ts';
+import type { Reduced, Session } from './session.ts';
+
+/** Levels of detail of the surface that is open. Never changed in place: a change replaces it. */
+export interface LevelState {
+  /** How many are wanted; 0: none. */
+  count: number;
+  /** Those of the last reduction, with the morphs between them; null where there are none. */
+  nested: Levels | null;
+  /** The same, each with what it was asked with; empty where there are none. */
+  results: readonly Reduced[];
+  /** Of making them, 0…1; null where none are being made. */
+  progress: number | null;
+  /** What is shown: 0 the original, 1 the finest level, … `count` the coarsest; in between on the way. */
+  position: number;
+}
+
+/** From level to level all bounds grow by this factor. */
+export const levelFactor = 2;
+
+/** All bounds times a factor. */
+export function coarser(bounds: BoundSettings, factor: number): BoundSettings {
+  const largest = largestFraction(bounds);
+  return largest > 0 ? moveAll(bounds, largest * factor) : bounds;
+}
+
+/**
+ * Makes levels of detail of every result of a session, if any are wanted: the finest has the session's bounds. Emits `change`
+ * whenever its state changes; faults become notices of the session.
+ */
+export class LevelSession extends EventTarget {
+  #session: Session;
+  #reduceLevels: (mesh: Mesh, options: LevelsOptions) => Promise<Levels>;
+  #making = new Latest();
+  #of: Reduced | null = null;
+  #state: LevelState = { count: 0, nested: null, results: [], progress: null, position: 1 };
+
+  constructor(session: Session, reduceLevels: (mesh: Mesh, options: LevelsOptions) => Promise<Levels>) {
+    super();
+    this.#session = session;
+    this.#reduceLevels = reduceLevels;
+    session.addEventListener('change', () => this.#follow());
+  }
+
+  get state(): LevelState {
+    return this.#state;
+  }
+
+  /** The level that is shown, or on the way to which it is; of the original the finest. Null where there are none. */
+  get shown(): Reduced | null {
+    return this.#state.results[Math.max(1, Math.ceil(this.#state.position)) - 1] ?? null;
+  }
+
+  /** How many levels there are to be; 0 for none. */
+  setCount(count: number): void {
+    if (count === this.#state.count) return;
+    this.#update({ count, position: 1 });
+    this.#start();
+  }
+
+  /** Shows a level, or the way between two. */
+  setPosition(position: number): void {
+    this.#update({ position: Math.min(Math.max(position, 0), this.#state.count) });
+  }
+
+  #follow(): void {
+    const { reduced } = this.#session.state;
+    if (reduced === this.#of) return;
+    this.#of = reduced;
+    this.#start();
+  }
+
+  #start(): void {
+    this.#making.abort();
+    const { surface } = this.#session.state;
+    const wanted = this.#state.count > 0 && this.#of !== null && surface !== null;
+    this.#update({ nested: null, results: [], progress: wanted ? 0 : null });
+    if (wanted) void this.#make(surface.mesh, this.#of as Reduced, surface.locked);
+  }
+
+  async #make(mesh: Mesh, { bounds, method }: Reduced, locked: Uint32Array | undefined): Promise<void> {
+    const all = Array.from({ length: this.#state.count }, (_, level) => coarser(bounds, levelFactor ** level));
+    const levels = all.map(asBounds);
+    try {
+      const nested = await this.#making.run((signal) => {
+        const onProgress = (progress: number) => {
+          if (!signal.aborted) this.#update({ progress });
+        };
+        return this.#reduceLevels(mesh, { levels, morphs: true, ...method, locked, signal, onProgress });
+      });
+      if (nested === superseded) return;
+      const results = nested.levels.map((result, level) => ({ result, bounds: all[level], method }));
+      this.#update({ nested, results, progress: null });
+    } catch (error) {
+      this.#update({ progress: null });
+      this.#session.report(error);
+    }
+  }
+
+  #update(change: Partial<LevelState>): void {
+    this.#state = { ...this.#state, ...change };
+    this.dispatchEvent(new Event('change'));
+  }
+}
