@@ -1,6 +1,6 @@
 import AxeBuilder from '@axe-core/playwright';
 import { expect, type Page, test } from '@playwright/test';
-import { counts, dropFile, look, openPage, sharePage } from './open-page.ts';
+import { counts, dropFile, look, openPage, settled, sharePage } from './open-page.ts';
 import { coverage, difference, pictureOf } from './picture.ts';
 import { squareWithNaN } from './surfaces.ts';
 
@@ -31,6 +31,7 @@ test('axe finds nothing wrong, light and dark, with values, errors, the method, 
   await field.press('Enter');
   await expect(page.getByRole('alert')).toHaveCount(2);
   await page.getByRole('checkbox', { name: 'vx bounded' }).uncheck();
+  await settled(page);
   await both();
 });
 

@@ -49,6 +49,20 @@ test('bounds can be chosen ready-made, and stated in the variable’s unit', asy
   await expect(page().getByLabel('Bound of temperature in percent')).toHaveValue('3.53');
 });
 
+test('draws how many triangles other bounds would leave, with the present ones among them', async () => {
+  await choose(page(), 'Presets', 'Usual');
+  await settled(page());
+  await page().getByText('Triangles by bound').click();
+  const chart = page().getByRole('img', { name: /^Triangles left by the largest bound/ });
+  await expect(chart.locator('circle')).toHaveCount(6);
+  await expect(chart.locator('circle.present')).toHaveCount(1);
+  const heights = await chart
+    .locator('circle')
+    .evaluateAll((all) => all.map((each) => Number(each.getAttribute('cy'))));
+  expect(heights).toEqual([...heights].sort((a, b) => a - b));
+  await page().getByText('Triangles by bound').click();
+});
+
 test('the address holds the surface, the bounds and the view, and so do a link and a file', async ({ browser }) => {
   await page().getByLabel('Sample').selectOption('impact');
   await settled(page());

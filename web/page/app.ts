@@ -1,5 +1,7 @@
 import { css, html, LitElement } from 'lit';
+import { reduce } from '../../wasm/index.ts';
 import { download, type SavedKind, savedKinds } from '../element/download.ts';
+import { BoundsCurve } from '../session/bounds-curve.ts';
 import '../element/index.ts';
 import type { WantedView } from '../element/view-settings.ts';
 import { stateFromJson, stateJson } from '../element/viewer-state.ts';
@@ -103,6 +105,9 @@ export class App extends LitElement {
 
   /** What shows the surfaces; everything else on the page drives it. */
   readonly viewer = document.createElement('meshbound-viewer');
+  #curve = new BoundsCurve(reduce);
+  /** Whether the chart is to be seen: nothing is measured for nobody. */
+  #charted = false;
   #link = new Link(this.viewer);
   #drop = new FileDrop(this, (file) => this.#openFile(file));
 
@@ -111,7 +116,11 @@ export class App extends LitElement {
     this.samples = [];
     this.viewer.setAttribute('role', 'main');
     this.viewer.levels.addEventListener('change', () => this.requestUpdate());
-    this.viewer.session.addEventListener('change', () => this.#changed());
+    this.viewer.session.addEventListener('change', () => {
+      this.#followCurve();
+      this.#changed();
+    });
+    this.#curve.addEventListener('change', () => this.requestUpdate());
     this.addEventListener('bound-settled', () => this.viewer.session.settleBounds());
     addEventListener('keydown', this.#pressKey);
   }
@@ -148,6 +157,8 @@ export class App extends LitElement {
           .method=${method}
           .report=${result?.report ?? null}
           .measured=${measured}
+          .curve=${this.#curve.points}
+          @chart-toggle=${({ detail }: CustomEvent<boolean>) => this.#showChart(detail)}
           .canUndo=${canUndo}
           .canRedo=${canRedo}
           @undo=${() => session.undo()}
@@ -218,6 +229,15 @@ export class App extends LitElement {
   #set(wanted: Partial<WantedView & Method>): void {
     Object.assign(this.viewer, wanted);
     this.#changed();
+  }
+
+  #showChart(shown: boolean): void {
+    this.#charted = shown;
+    this.#followCurve();
+  }
+
+  #followCurve(): void {
+    this.#curve.follow(this.#charted ? this.viewer.session.state : null);
   }
 
   #changed(): void {

@@ -3,8 +3,10 @@ import { repeat } from 'lit/directives/repeat.js';
 import type { Report, VariableExtent } from '../../wasm/index.ts';
 import { type BoundSetting, type BoundSettings, largestFraction, parsePercent } from '../session/bound-setting.ts';
 import { type Bounds, readBounds } from '../session/bound-text.ts';
+import type { CurvePoint } from '../session/bounds-curve.ts';
 import type { Method, OpenSurface } from '../session/session.ts';
 import './bound-row.ts';
+import './bounds-chart.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import './menu.ts';
 import './method-choice.ts';
@@ -28,6 +30,7 @@ const presets = [
  * A row for each variable of the surface, one that moves all, what holds the result back, and the method.
  *
  * @fires bounds-change with a BoundChange
+ * @fires chart-toggle with whether the chart of triangles against bounds is to be seen
  * @fires undo
  * @fires redo
  * @fires method-change with a Method
@@ -39,6 +42,7 @@ export class BoundsPanel extends LitElement {
     method: { attribute: false },
     report: { attribute: false },
     measured: { type: Boolean },
+    curve: { attribute: false },
     canUndo: { type: Boolean },
     canRedo: { type: Boolean },
   };
@@ -74,7 +78,12 @@ export class BoundsPanel extends LitElement {
       .all meshbound-bound-slider {
         grid-column: 1 / -1;
       }
+      summary {
+        border-radius: var(--radius);
+        cursor: pointer;
+      }
       .held,
+      .chart,
       meshbound-method-choice {
         padding: 8px 0;
         border-top: 1px solid var(--line);
@@ -88,6 +97,8 @@ export class BoundsPanel extends LitElement {
   declare report: Report | null;
   /** Whether the errors of the report were measured; otherwise they are limits from above. */
   declare measured: boolean;
+  /** Triangles against bounds, as far as measured. */
+  declare curve: readonly CurvePoint[];
   declare canUndo: boolean;
   declare canRedo: boolean;
 
@@ -97,6 +108,7 @@ export class BoundsPanel extends LitElement {
     this.bounds = {};
     this.report = null;
     this.measured = true;
+    this.curve = [];
     this.canUndo = false;
     this.canRedo = false;
   }
@@ -115,7 +127,7 @@ export class BoundsPanel extends LitElement {
         ({ name }) => name,
         (variable, index) => this.#row(variable, index),
       )}
-      ${this.#heldBack()}
+      ${this.#heldBack()} ${this.#chart()}
       <meshbound-method-choice
         .method=${this.method}
         @method-change=${({ detail }: CustomEvent<Method>) =>
@@ -188,6 +200,23 @@ export class BoundsPanel extends LitElement {
   #heldBack() {
     const sentence = this.report && heldBackSentence(this.report);
     return sentence ? html`<p class="held small soft">${sentence}</p>` : nothing;
+  }
+
+  #chart() {
+    return html`<details class="chart" @toggle=${this.#toggleChart}>
+      <summary>Triangles by bound</summary>
+      <meshbound-bounds-chart
+        .points=${this.curve}
+        .present=${largestFraction(this.bounds)}
+        .most=${this.report?.triangles.before ?? 1}
+      ></meshbound-bounds-chart>
+    </details>`;
+  }
+
+  #toggleChart({ target }: Event): void {
+    const details = target as HTMLDetailsElement;
+    details.scrollIntoView({ block: 'nearest' });
+    this.dispatchEvent(new CustomEvent('chart-toggle', { detail: details.open }));
   }
 
   #change(detail: BoundChange): void {
