@@ -1,5 +1,6 @@
+import AxeBuilder from '@axe-core/playwright';
 import { expect, type Page, test } from '@playwright/test';
-import { look, sentence, sharePage } from './open-page.ts';
+import { look, openPage, sentence, sharePage } from './open-page.ts';
 import { coverage, difference, hasBrokenBound, type Picture, pictureOf } from './picture.ts';
 
 const page = sharePage();
@@ -123,9 +124,50 @@ test('one draw call shows a morph, however many levels there are', async () => {
   expect(calls.vertices).toBeGreaterThan(3 * 7000);
 });
 
+test('the size on screen chooses the level, on a smooth way there and back', async () => {
+  await look(page());
+  await makeLevels(page(), '4');
+  await page().getByRole('button', { name: 'Level 3', exact: true }).click();
+  await page().getByLabel('Which level').selectOption('error ≤ 10 px');
+  const slider = page().getByLabel('Position among levels');
+  await expect(slider).toHaveValue('1'); // twice that error is too much from here
+  const seen = new Set<number>();
+  for (let press = 0; press < 30; press++) {
+    await page().locator('#reduced').press('-');
+    seen.add(Number(await slider.inputValue()));
+  }
+  await expect(slider).toHaveValue('4');
+  expect([...seen].some((position) => position % 1 !== 0)).toBe(true);
+  expect([...seen]).toEqual([...seen].toSorted((a, b) => a - b));
+  await page().getByRole('button', { name: 'Fit' }).click();
+  await expect(slider).toHaveValue('1');
+  await slider.fill('2');
+  await expect(page().getByLabel('Which level')).toHaveValue('');
+  await expect(page().locator('#reduced .caption')).toContainText('Level 2');
+});
+
 test('without levels the result is back', async () => {
   await makeLevels(page(), '2');
   await page().getByLabel('Levels of detail').selectOption('0');
   await expect(page().locator('#reduced .caption')).toContainText('Reduced');
   await expect(page().getByLabel('Position among levels')).toHaveCount(0);
+});
+
+test('axe finds nothing wrong with them, light and dark', async ({ page: own }) => {
+  await openPage(own);
+  await makeLevels(own, '3');
+  for (const colorScheme of ['light', 'dark'] as const) {
+    await own.emulateMedia({ colorScheme });
+    const { violations } = await new AxeBuilder({ page: own }).analyze();
+    expect(violations.map(({ id, nodes }) => `${id} ${nodes.map(({ target }) => target)}`)).toEqual([]);
+  }
+});
+
+test('they fit a narrow window', async () => {
+  await makeLevels(page(), '3');
+  await page().setViewportSize({ width: 320, height: 640 });
+  expect(await page().evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
+  await page().getByLabel('Position among levels').scrollIntoViewIfNeeded();
+  await expect(page().getByLabel('Position among levels')).toBeInViewport({ ratio: 1 });
+  await page().setViewportSize({ width: 1280, height: 800 });
 });

@@ -121,6 +121,18 @@ describe('levels of detail', () => {
   });
 });
 
+test('a level chosen by its size on screen is the user’s own again once the slider moves', async () => {
+  const { levels, calls } = await setUp();
+  levels.setCount(3);
+  calls[0].finish();
+  await vi.waitFor(() => expect(levels.state.nested).not.toBeNull());
+  levels.setPixels(2);
+  levels.arriveAt(2.5);
+  expect(levels.state).toMatchObject({ pixels: 2, position: 2.5 });
+  levels.setPosition(1);
+  expect(levels.state).toMatchObject({ pixels: null, position: 1 });
+});
+
 test('coarser bounds stay free where they are free', () => {
   const bounds = { position: { fraction: 0.01, free: false }, p: { fraction: 0.03, free: true } };
   expect(coarser(bounds, 4).position.fraction).toBe(0.04);

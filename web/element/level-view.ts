@@ -57,6 +57,11 @@ export class LevelView {
     return { morph, from, share: position - from, result: this.#result(from + 1) };
   }
 
+  /** The largest geometric error of each level, the original's first: none. */
+  get errors(): number[] {
+    return [0, ...this.nested.levels.map(({ report }) => report.variables[0].error)];
+  }
+
   /** The colours of a level. */
   colouring(level: number, settings: ViewSettings): Colouring {
     const mesh = this.#mesh(level);

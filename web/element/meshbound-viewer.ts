@@ -11,6 +11,7 @@ import { type Method, type Reduced, Session, type SessionState } from '../sessio
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
 import { download, type SavedKind, savedFile } from './download.ts';
+import { LevelMotion } from './level-motion.ts';
 import { LevelView } from './level-view.ts';
 import './notices.ts';
 import { percentText } from './number-text.ts';
@@ -213,6 +214,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
   /** Levels of detail of what the session reached. @internal */
   readonly levels = new LevelSession(this.session, reduceLevels);
   #levelView: LevelView | null = null;
+  #motion = new LevelMotion(this.levels);
   /** What the last change of the session was compared with. */
   #seen: SessionState = this.session.state;
   /** The same object until something in it changes, so that nothing is painted anew for nothing. */
@@ -356,6 +358,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#sight?.disconnect();
+    this.#motion.stop();
     // Moved within the document, it is back at once.
     queueMicrotask(() => this.isConnected || this.session.stop());
   }
@@ -378,6 +381,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
           .result=${reduced?.result ?? null}
           .levels=${this.#levelView}
           .position=${this.levels.state.position}
+          .pixels=${this.levels.state.pixels}
+          @level-wanted=${({ detail }: CustomEvent<number>) => this.#motion.towards(detail)}
           .reducing=${progress !== null}
           .settings=${this.settings}
           @stage-drawn=${this.#stageDrawn}

@@ -3,6 +3,7 @@ import type { Mesh, Reduction } from '../../wasm/types.ts';
 import { aboveBoundColour, type Colour, colourTable, missingColour } from '../colour/colormaps.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { type Frame, frameOf } from '../viewer/frame.ts';
+import { chooseLevel } from '../viewer/level-choice.ts';
 import type { ShownColour } from '../viewer/lookup-material.ts';
 import { carriedOver, type MorphCorners } from '../viewer/morph-corners.ts';
 import type { MorphSource } from '../viewer/prepare-morph.ts';
@@ -23,6 +24,7 @@ const reduced = 1;
  * The original and the reduced surface side by side, with their legends. A side shows its last surface until the next is
  * ready to draw.
  *
+ * @fires level-wanted with the level that the size on screen asks for
  * @fires stage-drawn when both sides show what they are to show
  * @fires stage-fault with a message where nothing can be drawn
  */
@@ -32,6 +34,7 @@ export class Stage extends LitElement {
     result: { attribute: false },
     levels: { attribute: false },
     position: { type: Number },
+    pixels: { attribute: false },
     settings: { attribute: false },
     reducing: { type: Boolean },
     meanings: { state: true },
@@ -101,6 +104,8 @@ export class Stage extends LitElement {
   /** Levels of detail, to be shown at `position` instead of the result; null where there are none. */
   declare levels: LevelView | null;
   declare position: number;
+  /** How many pixels the error of the level that is shown may span; null where it is not chosen so. */
+  declare pixels: number | null;
   declare settings: ViewSettings;
   declare reducing: boolean;
   /** What the colours of each side mean. */
@@ -123,6 +128,7 @@ export class Stage extends LitElement {
     this.result = null;
     this.levels = null;
     this.position = 1;
+    this.pixels = null;
     this.settings = firstView;
     this.reducing = false;
     this.meanings = [null, null];
@@ -198,6 +204,7 @@ export class Stage extends LitElement {
     const panes = [...this.renderRoot.querySelectorAll<HTMLElement>('.pane')];
     try {
       this.#viewer = new Viewer(canvas, panes);
+      this.#viewer.addEventListener('draw', this.#chooseLevel);
     } catch {
       const detail = 'Nothing can be drawn: this browser offers no WebGL 2. Reducing and saving still work.';
       this.dispatchEvent(new CustomEvent('stage-fault', { detail }));
@@ -209,6 +216,7 @@ export class Stage extends LitElement {
     if (changed.has('surface')) this.#showOriginal();
     if (['surface', 'result', 'levels', 'position'].some((each) => changed.has(each))) this.#showReduced();
     if (changed.has('settings')) this.#applySettings(this.#viewer);
+    if (changed.has('levels') || changed.has('pixels')) this.#chooseLevel();
   }
 
   #showAll(): void {
@@ -269,6 +277,13 @@ export class Stage extends LitElement {
     const behind = this.levels?.at(level + 0.5);
     if (behind && 'morph' in behind && this.#drawn[reduced] === behind.morph) this.#viewer?.setShare(reduced, 0);
   }
+
+  #chooseLevel = (): void => {
+    if (!this.#viewer || !this.levels || this.pixels === null) return;
+    const pixelsPerUnit = this.#viewer.pixelsPerRadius(reduced) / this.#frame.radius;
+    const level = chooseLevel(this.levels.errors, pixelsPerUnit, this.pixels, Math.round(this.position));
+    if (level !== this.position) this.dispatchEvent(new CustomEvent('level-wanted', { detail: level }));
+  };
 
   /** What is to be shown of the levels; null where there are none. */
   #step(): LevelStep | null {

@@ -174,6 +174,7 @@ export class App extends LitElement {
         .levels=${this.viewer.levels.state}
         ?disabled=${!surface}
         @level-count=${({ detail }: CustomEvent<number>) => this.viewer.levels.setCount(detail)}
+        @level-pixels=${({ detail }: CustomEvent<number | null>) => this.viewer.levels.setPixels(detail)}
         @level-position=${({ detail }: CustomEvent<number>) => this.viewer.levels.setPosition(detail)}
       ></meshbound-levels-panel>
       <meshbound-result-bar

@@ -5,6 +5,8 @@ import type { LevelState } from '../session/level-session.ts';
 
 /** How many levels can be asked for. */
 const counts = [0, 2, 3, 4, 5, 6];
+/** How many pixels an error may span where levels are chosen by their size on screen. */
+const pixelChoices = [0.5, 1, 2, 5, 10];
 /** One press of an arrow key moves this far from level to level. */
 const step = 0.01;
 
@@ -12,6 +14,7 @@ const step = 0.01;
  * Levels of detail: how many, and which is shown.
  *
  * @fires level-count with how many levels there are to be
+ * @fires level-pixels with how many pixels an error may span, or null: the position decides
  * @fires level-position with the position that is to be shown
  */
 export class LevelsPanel extends LitElement {
@@ -90,7 +93,7 @@ export class LevelsPanel extends LitElement {
   }
 
   #slider(count: number, position: number, waiting: boolean) {
-    return html`<div class="slider">
+    return html`${this.#choice(waiting)}<div class="slider">
       <input
         type="range"
         aria-label="Position among levels"
@@ -104,6 +107,22 @@ export class LevelsPanel extends LitElement {
       />
       <div class="marks">${Array.from({ length: count + 1 }, (_, level) => this.#mark(level, waiting))}</div>
     </div>`;
+  }
+
+  #choice(waiting: boolean) {
+    const { pixels } = this.levels;
+    const options = pixelChoices.map(
+      (each) => html`<option value=${each} ?selected=${each === pixels}>error ≤ ${each} px</option>`,
+    );
+    return html`<select
+      aria-label="Which level"
+      title="By hand, or the coarsest whose error in space spans no more on screen"
+      ?disabled=${waiting}
+      @change=${this.#choiceChanged}
+    >
+      <option value="" ?selected=${pixels === null}>by hand</option>
+      ${options}
+    </select>`;
   }
 
   #mark(level: number, waiting: boolean) {
@@ -133,6 +152,11 @@ export class LevelsPanel extends LitElement {
 
   #countChanged = ({ target }: Event): void => {
     this.dispatchEvent(new CustomEvent('level-count', { detail: Number((target as HTMLSelectElement).value) }));
+  };
+
+  #choiceChanged = ({ target }: Event): void => {
+    const { value } = target as HTMLSelectElement;
+    this.dispatchEvent(new CustomEvent('level-pixels', { detail: value === '' ? null : Number(value) }));
   };
 
   #move(position: number): void {

@@ -15,6 +15,8 @@ export interface LevelState {
   progress: number | null;
   /** What is shown: 0 the original, 1 the finest level, … `count` the coarsest; in between on the way. */
   position: number;
+  /** Chosen by its size on screen: the error may span this many pixels. Null where the position is the user's. */
+  pixels: number | null;
 }
 
 /** From level to level all bounds grow by this factor. */
@@ -35,7 +37,7 @@ export class LevelSession extends EventTarget {
   #reduceLevels: (mesh: Mesh, options: LevelsOptions) => Promise<Levels>;
   #making = new Latest();
   #of: Reduced | null = null;
-  #state: LevelState = { count: 0, nested: null, results: [], progress: null, position: 1 };
+  #state: LevelState = { count: 0, nested: null, results: [], progress: null, position: 1, pixels: null };
 
   constructor(session: Session, reduceLevels: (mesh: Mesh, options: LevelsOptions) => Promise<Levels>) {
     super();
@@ -60,8 +62,19 @@ export class LevelSession extends EventTarget {
     this.#start();
   }
 
-  /** Shows a level, or the way between two. */
+  /** Shows a level, or the way between two, and no longer what its size on screen asks for. */
   setPosition(position: number): void {
+    this.#update({ pixels: null });
+    this.arriveAt(position);
+  }
+
+  /** Has the level chosen by its size on screen; null: by the position. */
+  setPixels(pixels: number | null): void {
+    this.#update({ pixels });
+  }
+
+  /** Shows what the size on screen asks for. */
+  arriveAt(position: number): void {
     this.#update({ position: Math.min(Math.max(position, 0), this.#state.count) });
   }
 

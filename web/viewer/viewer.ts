@@ -13,8 +13,10 @@ const largestPixelRatio = 2;
 /**
  * Several surfaces, each in its pane, drawn on one canvas that lies under all panes. It draws only when something changed.
  * Panes are counted from 0. The constructor throws where the browser offers no WebGL 2.
+ *
+ * @fires draw when the picture has changed: what lies over it may follow
  */
-export class Viewer {
+export class Viewer extends EventTarget {
   readonly cameras: LinkedCameras;
   #canvas: HTMLCanvasElement;
   #panes: HTMLElement[];
@@ -28,6 +30,7 @@ export class Viewer {
   #nextDraw = 0;
 
   constructor(canvas: HTMLCanvasElement, panes: HTMLElement[]) {
+    super();
     this.#canvas = canvas;
     this.#panes = panes;
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -90,6 +93,15 @@ export class Viewer {
     this.#requestDraw();
   }
 
+  /** How many CSS pixels the frame's radius spans where the surface of a pane is nearest; infinite inside of it. */
+  pixelsPerRadius(pane: number): number {
+    const camera = this.cameras.camera(pane);
+    const elements = camera.projectionMatrix.elements;
+    const parallel = elements[15] === 1;
+    const distance = parallel ? 1 : camera.position.length() - 1;
+    return distance > 0 ? (elements[5] * this.#panes[pane].clientHeight) / 2 / distance : Infinity;
+  }
+
   /** How the places of a pane become colours. */
   setLookup(pane: number, lookup: Lookup): void {
     this.#surfaces[pane].lookup = lookup;
@@ -144,5 +156,6 @@ export class Viewer {
       this.#renderer.setScissor(x, y, width, height);
       this.#renderer.render(this.#surfaces[index].scene, this.cameras.camera(index));
     });
+    this.dispatchEvent(new Event('draw'));
   }
 }
