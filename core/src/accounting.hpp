@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "hole.hpp"
@@ -20,12 +21,11 @@ struct ErrorRange {
     double lowest = 0, highest = 0; ///< signed; of position: the distance along the normal
 };
 
-/// How errors are accounted for (§3.3): the one difference between the paper's propagation and the tracked map. The loop
-/// that removes vertices asks in this order, for each candidate: enter, cost, measure, and, when the
-/// removal is accepted, commit.
-class Accounting {
+/// The accounting of one removal after another. The loop that removes vertices asks in this order, for each candidate: enter,
+/// cost, measure, and, when the removal is accepted, commit.
+class RemovalAccounting {
 public:
-    virtual ~Accounting() = default;
+    virtual ~RemovalAccounting() = default;
 
     /// Looks at the laid-out hole of a candidate.
     virtual void enter(const Hole& hole) = 0;
@@ -45,8 +45,18 @@ public:
 
     /// What a candidate costs in time, in units of a small star: how much the accounting carries along for it.
     virtual std::size_t work() const = 0;
+};
 
-    /// Goes on with other bounds: from now on errors are measured in those of `rows`. The rows so far are still there.
+/// How errors are accounted for (§3.3): the one difference between the paper's propagation and the tracked map. What is known
+/// of the whole surface; it outlives what looks at one removal after another.
+class Accounting {
+public:
+    virtual ~Accounting() = default;
+
+    virtual std::unique_ptr<RemovalAccounting> removals() = 0;
+
+    /// Goes on with other bounds: from now on errors are measured in those of `rows`. The rows so far are still there. Ends
+    /// what `removals` gave.
     virtual void measure_in(const Rows& rows) = 0;
 
     /// The errors on the triangle in `slot`, by row group (position first).

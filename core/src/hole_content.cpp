@@ -2,12 +2,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "indexing.hpp"
+
 namespace meshbound {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-constexpr int spoke_role = -1;
+constexpr std::int8_t spoke_role = -1;
 
 } // namespace
 
@@ -16,6 +16,7 @@ HoleContent::HoleContent(const Surface& surface)
 
 void HoleContent::enter(const Rows& rows, const Surface& surface, const Residents& residents, const Hole& hole) {
     vertices_.clear();
+    pieces_found_ = false;
     if (hole.open) add_closing(rows, residents, hole);
     else vertices_.push_back({hole.candidate, InnerVertex::Host::triangle});
     for (int sector = 0; sector < hole.sectors(); ++sector) {
@@ -70,7 +71,7 @@ void HoleContent::add_rim(const Residents& residents, const Hole& hole, int rim)
 }
 
 void HoleContent::mark(const Hole& hole) {
-    for (int rim = 0; rim < hole.sectors(); ++rim) role_[hole.rim_edges[at(rim)]] = 1 + rim;
+    for (int rim = 0; rim < hole.sectors(); ++rim) role_[hole.rim_edges[at(rim)]] = static_cast<std::int8_t>(1 + rim);
     for (const std::uint32_t edge : hole.spoke_edges) role_[edge] = spoke_role;
     for (int i = 0; i < hole.size(); ++i) position_[hole.ring[at(i)]] = 1 + i;
     for (std::size_t i = 0; i < vertices_.size(); ++i) position_[vertices_[i].vertex] = -1 - static_cast<int>(i);
@@ -100,14 +101,12 @@ PieceEnd HoleContent::end_at_rim(const Crossings& crossings, std::uint32_t id) c
     return end;
 }
 
-/// From a crossing (itself not looked at) along its original edge over the spokes to the next crossing on a rim, or to
-/// no_index at the end of the original edge.
-std::uint32_t HoleContent::walk(const Crossings& crossings, std::uint32_t from, bool forward) {
+/// Along an original edge over the crossings with spokes, which vanish: to the next crossing with a rim, or to no_index at
+/// the end of the original edge.
+std::uint32_t HoleContent::walk(const Crossings& crossings, std::uint32_t from, bool forward) const {
     std::uint32_t id = from;
-    while (id != no_index && role_[crossings[id].current] == spoke_role) {
-        visited_[id] = search_;
+    while (id != no_index && role_[crossings[id].current] == spoke_role)
         id = forward ? crossings[id].next : crossings[id].previous;
-    }
     return id;
 }
 
@@ -141,21 +140,21 @@ void HoleContent::add_vertex_pieces(const OriginalEdges& edges, const Crossings&
     }
 }
 
-/// Whole original edges from ring to ring across this spoke.
+/// Whole original edges from ring to ring, each at its first crossing with a spoke.
 void HoleContent::add_spoke_pieces(const OriginalEdges& edges, const Crossings& crossings, std::uint32_t spoke_edge) {
     for (std::uint32_t id = crossings.on(spoke_edge); id != no_index; id = crossings[id].sibling) {
-        if (visited_[id] == search_) continue;
-        walk(crossings, id, true);
-        walk(crossings, id, false);
+        if (crossings[id].previous != no_index) continue;
         const std::uint32_t edge = crossings[id].original;
+        if (position_[edges.lower(edge)] <= 0 || position_[edges.upper(edge)] <= 0) continue;
+        if (walk(crossings, crossings[id].next, true) != no_index) continue; // reaches a rim: found there
         pieces_.push_back({edge, end_at_vertex(edges.lower(edge), 0), end_at_vertex(edges.upper(edge), 1)});
     }
 }
 
 void HoleContent::find_pieces(const OriginalEdges& edges, const Crossings& crossings, const Hole& hole) {
+    if (pieces_found_) return;
+    pieces_found_ = true;
     pieces_.clear();
-    ++search_;
-    visited_.resize(crossings.size(), 0);
     mark(hole);
     for (int rim = 0; rim < hole.sectors(); ++rim) add_rim_pieces(edges, crossings, hole, rim);
     for (const InnerVertex& inner : vertices_) add_vertex_pieces(edges, crossings, inner);

@@ -50,7 +50,7 @@ public:
 
     /// Finds the inner vertices.
     void enter(const Rows& rows, const Surface& surface, const Residents& residents, const Hole& hole);
-    /// Finds the pieces; enter comes first.
+    /// Finds the pieces, unless it has found those of this hole; enter comes first.
     void find_pieces(const OriginalEdges& edges, const Crossings& crossings, const Hole& hole);
 
     const std::vector<InnerVertex>& vertices() const { return vertices_; }
@@ -64,17 +64,16 @@ private:
     void unmark(const Hole& hole);
     PieceEnd end_at_vertex(std::uint32_t vertex, double s) const;
     PieceEnd end_at_rim(const Crossings& crossings, std::uint32_t id) const;
-    std::uint32_t walk(const Crossings& crossings, std::uint32_t from, bool forward);
+    std::uint32_t walk(const Crossings& crossings, std::uint32_t from, bool forward) const;
     void add_rim_pieces(const OriginalEdges& edges, const Crossings& crossings, const Hole& hole, int rim);
     void add_vertex_pieces(const OriginalEdges& edges, const Crossings& crossings, const InnerVertex& inner);
     void add_spoke_pieces(const OriginalEdges& edges, const Crossings& crossings, std::uint32_t spoke_edge);
 
     std::vector<InnerVertex> vertices_;
     std::vector<Piece> pieces_;
-    std::vector<std::uint32_t> visited_; // by crossing: the search that last walked through it
-    std::uint32_t search_ = 0;           // the present search
-    std::vector<int> role_;              // by edge: 0 elsewhere, 1 + rim, or -1 of a spoke
-    std::vector<int> position_;          // by vertex: 0 elsewhere, 1 + ring position, or -(1 + inner vertex)
+    bool pieces_found_ = false;
+    std::vector<std::int8_t> role_; // by edge: 0 elsewhere, 1 + rim (largest_ring is small), or -1 of a spoke
+    std::vector<int> position_;     // by vertex: 0 elsewhere, 1 + ring position, or -(1 + inner vertex)
 };
 
 } // namespace meshbound

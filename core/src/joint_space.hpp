@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "hole_products.hpp"
 #include "measured_rows.hpp"
 
 namespace meshbound {
@@ -10,38 +11,41 @@ namespace meshbound {
 /// Nearest places in the joint space of position and variables, all measured in bounds (design: the freedom of Φ). Sums of
 /// squares: cheap, smooth, and close enough to the largest of the ratios.
 
-/// The triangle of three rows, prepared for looking up many points.
+/// A squared distance that was summed up from products of this size; 0 where rounding may have made it.
+double without_noise(double squared_distance, double products);
+
+/// The triangle of three ring positions of a hole, prepared for looking up many of its inner vertices.
 class JointTriangle {
 public:
-    JointTriangle(const MeasuredRows& rows, const double* a, const double* b, const double* c);
+    JointTriangle(const HoleProducts& products, int a, int b, int c);
 
-    /// Barycentric coordinates of the point of the triangle nearest to a row.
-    glm::dvec3 nearest(const MeasuredRows& rows, const double* row) const {
-        Lane p = {0, 0}, q = {0, 0};
-        for (int i = 0; i < rows.lanes(); ++i) {
-            const Lane a = MeasuredRows::lane(a_, i), d = MeasuredRows::lane(row, i) - a;
-            p += d * (MeasuredRows::lane(b_, i) - a);
-            q += d * (MeasuredRows::lane(c_, i) - a);
-        }
-        return nearest(p[0] + p[1], q[0] + q[1]);
-    }
-
-    const double* a() const { return a_; }
-    const double* b() const { return b_; }
-    const double* c() const { return c_; }
-
-    /// Largest squared ratio between a row and the triangle's point at barycentric coordinates w.
-    double squared_ratio(const MeasuredRows& rows, const double* row, const glm::dvec3& w) const {
-        return rows.squared_ratio(row, a_, b_, c_, w.x, w.y, w.z);
-    }
+    /// The point of the triangle nearest to a vertex.
+    struct Nearest {
+        glm::dvec3 weight{1, 0, 0}; // barycentric
+        double squared_distance = 0;
+    };
+    /// `along`: the products of the vertex (HoleProducts::vertex).
+    Nearest nearest(const double* along) const;
 
 private:
-    glm::dvec3 nearest(double p, double q) const;
     glm::dvec2 nearest_on_edges(double p, double q) const;
+    double squared_distance(const glm::dvec2& place, double p, double q) const;
 
-    const double *a_, *b_, *c_;
-    double uu_ = 0, uv_ = 0, vv_ = 0; // dot products of the edges u = b - a and v = c - a
+    int a_, b_, c_, size_;
+    double aa_ = 0, au_ = 0, av_ = 0; // dot products of a with itself and with the edges u = b - a and v = c - a
+    double uu_ = 0, uv_ = 0, vv_ = 0; // of the edges
+    double inverse_determinant_ = 0;  // of the edges' products; 0: the triangle has no area
 };
+
+/// What two segments' nearest places follow from: dot products of the first, u, the second, v, and w, from the first's start
+/// to the second's.
+struct SegmentProducts {
+    double uu = 0, uv = 0, vv = 0, uw = 0, vw = 0;
+};
+
+/// The parameters (s on the first, t on the second) where two segments are nearest to each other, s in [s_low, s_high] and t
+/// in [0, 1].
+glm::dvec2 nearest_parameters(const SegmentProducts& products, double s_low, double s_high);
 
 /// A segment between two rows.
 struct JointSegment {
@@ -49,9 +53,6 @@ struct JointSegment {
     const double* end;
 };
 
-/// The parameters (s on the first, t on the second) where two segments are nearest to each other, s in [s_low, s_high] and t
-/// in [0, 1].
-glm::dvec2 nearest_parameters(const MeasuredRows& rows, const JointSegment& first, double s_low, double s_high,
-                              const JointSegment& second);
+SegmentProducts products_of(const MeasuredRows& rows, const JointSegment& first, const JointSegment& second);
 
 } // namespace meshbound

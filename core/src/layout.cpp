@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "angle.hpp"
+#include "indexing.hpp"
 
 namespace meshbound {
 namespace {
@@ -20,16 +21,18 @@ constexpr double least_share = 1e-3;
 /// An open fan keeps its angles unless they sum to more than this; beyond, it would overlap itself.
 constexpr double widest_open_fan = 1.9 * pi;
 
-glm::dvec3 spoke(const Rows& rows, const Hole& hole, int i) {
-    return rows.position(hole.ring[static_cast<std::size_t>(i)]) - rows.position(hole.candidate);
+void find_spokes(const Rows& rows, Hole& hole) {
+    const glm::dvec3 centre = rows.position(hole.candidate);
+    hole.spokes.clear();
+    for (const std::uint32_t vertex : hole.ring) hole.spokes.push_back(rows.position(vertex) - centre);
 }
 
 /// Whether all sectors of a closed star turn counter-clockwise and go around just once.
 bool is_star_shaped(const Hole& hole) {
     int turns = 0;
     for (int i = 0; i < hole.size(); ++i) {
-        const glm::dvec2& p = hole.places[static_cast<std::size_t>(i)];
-        const glm::dvec2& q = hole.places[static_cast<std::size_t>(hole.after(i))];
+        const glm::dvec2& p = hole.places[at(i)];
+        const glm::dvec2& q = hole.places[at(hole.after(i))];
         const double turn = p.x * q.y - p.y * q.x;
         if (!(turn > 0 && turn * turn > flattest_sector * flattest_sector * glm::dot(p, p) * glm::dot(q, q)))
             return false;
@@ -39,8 +42,8 @@ bool is_star_shaped(const Hole& hole) {
 }
 
 /// The paper's layout: along the average normal.
-bool project(const Rows& rows, Hole& hole) {
-    const glm::dvec3 normal = star_normal(rows, hole);
+bool project(Hole& hole) {
+    const glm::dvec3 normal = star_normal(hole);
     const double length = glm::length(normal);
     if (!(length > 0)) return false;
     const glm::dvec3 n = normal / length;
@@ -49,10 +52,7 @@ bool project(const Rows& rows, Hole& hole) {
     axis[magnitude.x <= magnitude.y && magnitude.x <= magnitude.z ? 0 : magnitude.y <= magnitude.z ? 1 : 2] = 1;
     const glm::dvec3 u = glm::normalize(glm::cross(axis, n)), v = glm::cross(n, u);
     hole.places.clear();
-    for (int i = 0; i < hole.size(); ++i) {
-        const glm::dvec3 s = spoke(rows, hole, i);
-        hole.places.push_back({glm::dot(s, u), glm::dot(s, v)});
-    }
+    for (const glm::dvec3& spoke : hole.spokes) hole.places.push_back({glm::dot(spoke, u), glm::dot(spoke, v)});
     return is_star_shaped(hole);
 }
 
@@ -68,11 +68,11 @@ void raise_to_share(std::vector<double>& values) {
     for (double& value : values) value = std::max(value, mean > 0 ? least_share * mean : 1);
 }
 
-PolarStar measure_star(const Rows& rows, const Hole& hole) {
+PolarStar measure_star(const Hole& hole) {
     PolarStar star;
-    for (int i = 0; i < hole.size(); ++i) star.lengths.push_back(glm::length(spoke(rows, hole, i)));
+    for (const glm::dvec3& spoke : hole.spokes) star.lengths.push_back(glm::length(spoke));
     for (int i = 0; i < hole.sectors(); ++i) {
-        const glm::dvec3 s = spoke(rows, hole, i), t = spoke(rows, hole, hole.after(i));
+        const glm::dvec3 s = hole.spokes[at(i)], t = hole.spokes[at(hole.after(i))];
         star.angles.push_back(half_plane_angle(glm::dot(s, t), glm::length(glm::cross(s, t))));
     }
     raise_to_share(star.lengths);
@@ -81,8 +81,8 @@ PolarStar measure_star(const Rows& rows, const Hole& hole) {
 }
 
 /// Spoke lengths kept; angles scaled to fill the circle, or, for an open fan, kept where they do not overlap.
-void lay_out_polar(const Rows& rows, Hole& hole) {
-    const PolarStar star = measure_star(rows, hole);
+void lay_out_polar(Hole& hole) {
+    const PolarStar star = measure_star(hole);
     double sum = 0;
     for (const double angle : star.angles) sum += angle;
     const double scale = !hole.open ? 2 * pi / sum : sum > widest_open_fan ? widest_open_fan / sum : 1;
@@ -90,31 +90,22 @@ void lay_out_polar(const Rows& rows, Hole& hole) {
     double angle = 0;
     for (int i = 0; i < hole.size(); ++i) {
         const glm::dvec2 heading = direction(angle);
-        hole.places.push_back(star.lengths[static_cast<std::size_t>(i)] * heading);
-        if (i < hole.sectors()) angle += scale * star.angles[static_cast<std::size_t>(i)];
+        hole.places.push_back(star.lengths[at(i)] * heading);
+        if (i < hole.sectors()) angle += scale * star.angles[at(i)];
     }
 }
 
 } // namespace
 
-glm::dvec3 star_normal(const Rows& rows, const Hole& hole) {
+glm::dvec3 star_normal(const Hole& hole) {
     glm::dvec3 sum(0);
-    for (int i = 0; i < hole.sectors(); ++i) sum += glm::cross(spoke(rows, hole, i), spoke(rows, hole, hole.after(i)));
+    for (int i = 0; i < hole.sectors(); ++i) sum += glm::cross(hole.spokes[at(i)], hole.spokes[at(hole.after(i))]);
     return sum;
 }
 
 void lay_out(const Rows& rows, Hole& hole) {
-    if (hole.open || !project(rows, hole)) lay_out_polar(rows, hole);
-}
-
-glm::dvec3 clamped_barycentric(const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r, const glm::dvec2& s) {
-    glm::dvec3 weight(orientation(p, r, s), orientation(q, p, s), orientation(q, r, p));
-    for (int i = 0; i < 3; ++i) weight[i] = weight[i] > 0 ? weight[i] : 0;
-    const double sum = weight.x + weight.y + weight.z;
-    if (!(sum > 0)) return glm::dvec3(1, 0, 0);
-    weight /= sum;
-    weight.z = std::max(0.0, 1 - weight.x - weight.y); // sums to 1, so that the place is on the triangle
-    return weight;
+    find_spokes(rows, hole);
+    if (hole.open || !project(hole)) lay_out_polar(hole);
 }
 
 } // namespace meshbound

@@ -5,7 +5,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "indexing.hpp"
 #include "layout.hpp"
+#include "plane.hpp"
 
 namespace meshbound {
 namespace {
@@ -24,10 +26,6 @@ constexpr double sharpest_bend_cosine = -0.5;
 /// A laid-out triangle with less than this fraction of the hole's squared size is degenerate.
 constexpr double least_area = 1e-9;
 
-glm::dvec3 area_vector(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r) {
-    return glm::cross(q - p, r - p);
-}
-
 /// Cosine between two vectors where it is negative, else 0 (as almost always; then no root is needed). A triangle without
 /// area folds onto nothing.
 double negative_cosine(const glm::dvec3& a, const glm::dvec3& b) {
@@ -35,24 +33,22 @@ double negative_cosine(const glm::dvec3& a, const glm::dvec3& b) {
     return product < 0 ? product / std::sqrt(glm::dot(a, a) * glm::dot(b, b)) : 0;
 }
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 } // namespace
 
-Legality::Legality(const Surface& surface, bool minds_turns)
-    : minds_turns_(minds_turns), ring_position_(surface.vertex_count(), -1) {}
-
 bool Legality::enter(const Surface& surface, const Rows& rows, const Hole& hole) {
-    rows_ = &rows;
     hole_ = &hole;
     if (!removable(surface, hole)) return false;
     find_taken_edges(surface, hole);
     if (hole.open && taken_[at(hole.size() - 1)]) return false; // the closing edge exists: the loop has three edges
-    normal_ = star_normal(rows, hole);
+    const glm::dvec3 normal = star_normal(hole);
+    const double length = glm::length(normal);
+    normal_ = length > 0 ? normal / length : normal;
+    least_cosine_ = length > 0 ? least_turn_cosine : 0; // from no direction nothing turns away
     find_neighbours(surface, rows, hole);
-    least_bend_cosine_ = std::min(sharpest_bend_cosine, sharpest_bend(rows, hole));
-    scale_ = 0;
-    for (const glm::dvec2& place : hole.places) scale_ = std::max(scale_, glm::dot(place, place));
+    least_bend_cosine_ = std::min(sharpest_bend_cosine, sharpest_bend(hole));
+    double squared_size = 0;
+    for (const glm::dvec2& place : hole.places) squared_size = std::max(squared_size, glm::dot(place, place));
+    least_area_ = least_area * squared_size;
     return true;
 }
 
@@ -66,47 +62,59 @@ bool Legality::removable(const Surface& surface, const Hole& hole) const {
     return true;
 }
 
+int Legality::ring_position(std::uint32_t vertex) const {
+    if (!(ring_filter_ >> (vertex % 64) & 1)) return -1;
+    const auto found = std::find(hole_->ring.begin(), hole_->ring.end(), vertex);
+    return found == hole_->ring.end() ? -1 : static_cast<int>(found - hole_->ring.begin());
+}
+
 /// Ring vertices joined by an edge that is neither rim nor spoke: found by walking around each of them.
 void Legality::find_taken_edges(const Surface& surface, const Hole& hole) {
-    const int size = hole.size();
-    taken_.assign(at(size * size), 0);
-    const auto take = [&](int i, int j) { taken_[at(i * size + j)] = taken_[at(j * size + i)] = 1; };
-    for (int i = 0; i < size; ++i) ring_position_[hole.ring[at(i)]] = i;
-    for (int i = 0; i < size; ++i) {
-        const std::uint32_t vertex = hole.ring[at(i)];
-        if (surface.kind(vertex) == VertexKind::fixed) {
-            for (int j = 0; j < i; ++j)
-                if (surface.fixed_edge_exists(vertex, hole.ring[at(j)])) take(i, j);
+    taken_.assign(at(hole.size() * hole.size()), 0);
+    ring_filter_ = 0;
+    for (const std::uint32_t vertex : hole.ring) ring_filter_ |= std::uint64_t{1} << (vertex % 64);
+    for (int i = 0; i < hole.size(); ++i) {
+        if (surface.kind(hole.ring[at(i)]) != VertexKind::fixed) {
+            find_taken_around(surface, hole, i);
             continue;
         }
-        const std::uint32_t first = surface.outgoing(vertex);
-        std::uint32_t spoke = first;
-        do {
-            if (const int j = ring_position_[surface.target(spoke)]; j >= 0) take(i, j);
-            const std::uint32_t arriving = Surface::previous(spoke);
-            if (const int j = ring_position_[surface.origin(arriving)]; j >= 0) take(i, j);
-            spoke = surface.twin(arriving);
-        } while (spoke != no_index && spoke != first);
+        for (int j = 0; j < i; ++j)
+            if (surface.fixed_edge_exists(hole.ring[at(i)], hole.ring[at(j)])) take(i, j);
     }
-    for (const std::uint32_t vertex : hole.ring) ring_position_[vertex] = -1;
 }
+
+/// Walks around a ring vertex.
+void Legality::find_taken_around(const Surface& surface, const Hole& hole, int i) {
+    const auto see = [&](std::uint32_t vertex) {
+        if (const int j = ring_position(vertex); j >= 0) take(i, j);
+    };
+    const std::uint32_t first = surface.outgoing(hole.ring[at(i)]);
+    std::uint32_t spoke = first;
+    do {
+        see(surface.target(spoke));
+        const std::uint32_t arriving = Surface::previous(spoke);
+        spoke = surface.twin(arriving);
+        if (spoke == no_index) see(surface.origin(arriving));
+    } while (spoke != no_index && spoke != first);
+}
+
+void Legality::take(int i, int j) { taken_[at(i * hole_->size() + j)] = taken_[at(j * hole_->size() + i)] = 1; }
 
 void Legality::find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole) {
     neighbours_.assign(at(hole.sectors()), glm::dvec3(0));
+    const glm::dvec3 centre = rows.position(hole.candidate);
     for (int i = 0; i < hole.sectors(); ++i) {
         const std::uint32_t twin = surface.twin(hole.rims[at(i)]);
         if (twin == no_index) continue;
-        const glm::dvec3 p = rows.position(surface.origin(twin)), q = rows.position(surface.target(twin));
-        neighbours_[at(i)] = area_vector(p, q, rows.position(surface.target(Surface::next(twin))));
+        const glm::dvec3 &p = hole.spokes[at(i)], &q = hole.spokes[at(hole.after(i))]; // the twin runs from q to p
+        const glm::dvec3 tip = rows.position(surface.target(Surface::next(twin))) - centre;
+        neighbours_[at(i)] = glm::cross(p - q, tip - q);
     }
 }
 
 /// The least cosine across the star's spokes and rims, as the surface is now; 0 where all are positive.
-double Legality::sharpest_bend(const Rows& rows, const Hole& hole) const {
-    const auto sector = [&](int i) {
-        return area_vector(rows.position(hole.candidate), rows.position(hole.ring[at(i)]),
-                           rows.position(hole.ring[at(hole.after(i))]));
-    };
+double Legality::sharpest_bend(const Hole& hole) const {
+    const auto sector = [&](int i) { return glm::cross(hole.spokes[at(i)], hole.spokes[at(hole.after(i))]); };
     double least = 0;
     glm::dvec3 before = hole.open ? glm::dvec3(0) : sector(hole.sectors() - 1);
     for (int i = 0; i < hole.sectors(); ++i) {
@@ -115,11 +123,6 @@ double Legality::sharpest_bend(const Rows& rows, const Hole& hole) const {
         before = here;
     }
     return least;
-}
-
-glm::dvec3 Legality::normal(int a, int m, int b) const {
-    const auto position = [&](int i) { return rows_->position(hole_->ring[at(i)]); };
-    return area_vector(position(a), position(m), position(b));
 }
 
 bool Legality::allows_edge(int i, int j) const {
@@ -135,26 +138,28 @@ bool Legality::folds(const glm::dvec3& p, const glm::dvec3& q) const {
     return negative_cosine(p, q) < least_bend_cosine_;
 }
 
-bool Legality::folds_onto_neighbour(const glm::dvec3& normal, int rim) const {
+bool Legality::folds_onto_neighbour(const RingTriangle& triangle, int rim) const {
     if (rim >= hole_->sectors()) return false; // the closing edge of an open hole
-    return folds(neighbours_[at(rim)], normal);
+    return folds(neighbours_[at(rim)], triangle.normal);
 }
 
-bool Legality::allows_triangle(int a, int m, int b) const {
-    const Hole& hole = *hole_;
-    if (orientation(hole.places[at(a)], hole.places[at(m)], hole.places[at(b)]) <= least_area * scale_) return false;
-    const glm::dvec3 here = normal(a, m, b);
-    if (minds_turns_ && glm::dot(here, normal_) < least_turn_cosine * glm::length(here) * glm::length(normal_))
-        return false;
-    if (m == a + 1 && folds_onto_neighbour(here, a)) return false;
-    if (b == m + 1 && folds_onto_neighbour(here, m)) return false;
-    return !(a == 0 && b == hole.size() - 1 && folds_onto_neighbour(here, b));
+bool Legality::lies_open(int a, int m, int b) const {
+    return orientation(hole_->places[at(a)], hole_->places[at(m)], hole_->places[at(b)]) > least_area_;
 }
 
-bool Legality::allows_neighbours(int a, int m, int b, int left, int right) const {
+bool Legality::allows_triangle(const RingTriangle& triangle) const {
+    const auto& [a, m, b, u, v, normal, length] = triangle;
+    if (minds_turns_ && glm::dot(normal, normal_) < least_cosine_ * length) return false;
+    if (m == a + 1 && folds_onto_neighbour(triangle, a)) return false;
+    if (b == m + 1 && folds_onto_neighbour(triangle, m)) return false;
+    return !(a == 0 && b == hole_->size() - 1 && folds_onto_neighbour(triangle, b));
+}
+
+bool Legality::allows_neighbours(const RingTriangle& triangle, int left, int right) const {
     if (minds_turns_) return true; // keeping to one normal, they keep to each other
-    const glm::dvec3 here = normal(a, m, b);
-    return (left < 0 || !folds(here, normal(a, left, m))) && (right < 0 || !folds(here, normal(m, right, b)));
+    const auto& [a, m, b, u, v, normal, length] = triangle;
+    return (left < 0 || !folds(normal, RingTriangle(*hole_, a, left, m).normal)) &&
+           (right < 0 || !folds(normal, RingTriangle(*hole_, m, right, b).normal));
 }
 
 } // namespace meshbound

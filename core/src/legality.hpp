@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "hole.hpp"
+#include "ring_triangle.hpp"
 #include "rows.hpp"
 #include "surface.hpp"
 
@@ -16,7 +17,7 @@ namespace meshbound {
 class Legality {
 public:
     /// `minds_turns`: whether new triangles must keep to the hole's normal too.
-    Legality(const Surface& surface, bool minds_turns);
+    explicit Legality(bool minds_turns) : minds_turns_(minds_turns) {}
 
     /// Looks at the hole (laid out). Returns false where no retriangulation at all is legal for topological reasons.
     bool enter(const Surface& surface, const Rows& rows, const Hole& hole);
@@ -24,31 +25,43 @@ public:
     /// Whether the edge between ring positions i < j may be made; neighbours on the ring always have theirs.
     bool allows_edge(int i, int j) const;
 
-    /// Whether the triangle of ring positions a < m < b may be made, its edges being allowed.
-    bool allows_triangle(int a, int m, int b) const;
+    /// Whether a triangle keeps its orientation in the layout: cheap, to be asked before it is looked at in space.
+    bool lies_open(int a, int m, int b) const;
+
+    /// Whether a triangle that lies open may be made, its edges being allowed.
+    bool allows_triangle(const RingTriangle& triangle) const;
 
     /// The same for a triangle whose neighbours across (a, m) and (m, b) have the third corners `left` and `right`; -1 where
     /// these are rims.
-    bool allows_neighbours(int a, int m, int b, int left, int right) const;
+    bool allows_neighbours(const RingTriangle& triangle, int left, int right) const;
 
 private:
     bool removable(const Surface& surface, const Hole& hole) const;
     void find_taken_edges(const Surface& surface, const Hole& hole);
     void find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole);
-    double sharpest_bend(const Rows& rows, const Hole& hole) const;
-    glm::dvec3 normal(int a, int m, int b) const;
+    void take(int i, int j);
+    void find_taken_around(const Surface& surface, const Hole& hole, int i);
+    int ring_position(std::uint32_t vertex) const;
+    double sharpest_bend(const Hole& hole) const;
     bool folds(const glm::dvec3& p, const glm::dvec3& q) const;
-    bool folds_onto_neighbour(const glm::dvec3& normal, int rim) const;
+    bool folds_onto_neighbour(const RingTriangle& triangle, int rim) const;
 
     bool minds_turns_;
-    const Rows* rows_ = nullptr;
     const Hole* hole_ = nullptr;
-    glm::dvec3 normal_{0};               // of the hole
-    double least_bend_cosine_ = 0;       // across every edge inside the hole and on its rims
-    double scale_ = 0;                   // squared size of the laid-out hole
-    std::vector<char> taken_;            // [i * size + j]: the edge exists
+    glm::dvec3 normal_{0};          // of the hole, of unit length
+    double least_cosine_ = 0;       // between it and the normal of a triangle that minds turns
+    double least_bend_cosine_ = 0;  // across every edge inside the hole and on its rims
+    double least_area_ = 0;         // of a laid-out triangle, twice
+    std::uint64_t ring_filter_ = 0; // a bit for the last digits of each ring vertex: most others are told from them
+    std::vector<char> taken_;       // [i * size + j]: the edge exists
     std::vector<glm::dvec3> neighbours_; // by rim: normal of the triangle outside, or zero
-    std::vector<int> ring_position_;     // by vertex, -1 elsewhere
+};                                       // of the hole, of unit length
+double least_cosine_ = 0;                // between it and the normal of a triangle
+double least_area_ = 0;                  // of a laid-out triangle, twice
+std::uint64_t ring_filter_ = 0;      // a bit for the last digits of each ring vertex: most others are told from them
+std::vector<char> taken_;            // [i * size + j]: the edge exists
+std::vector<glm::dvec3> neighbours_; // by rim: unit normal of the triangle outside, or zero
+std::vector<double> sharpest_;       // by rim: the least cosine of the angle across it
 };
 
 } // namespace meshbound

@@ -47,11 +47,11 @@ void extract_map(const Surface& surface, const Tracking& tracking, const std::ve
     map.places.assign(surface.vertex_count(), {});
     for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
         if (!ticker.tick(1)) return;
-        if (surface.alive(slot)) place_residents(surface, tracking.residents(), slot, renamed_triangle, map);
+        if (surface.alive(slot)) place_residents(surface, tracking.map().residents, slot, renamed_triangle, map);
     }
     const std::vector<glm::uvec2> ends = edge_ends(surface);
-    const OriginalEdges& edges = tracking.original_edges();
-    const Crossings& crossings = tracking.crossings();
+    const OriginalEdges& edges = tracking.map().edges;
+    const Crossings& crossings = tracking.map().crossings;
     for (std::uint32_t edge = 0; edge < edges.size() && ticker.tick(1); ++edge)
         for (std::uint32_t id = crossings.first(edge); id != no_index; id = crossings[id].next) {
             const Crossing& crossing = crossings[id];

@@ -5,23 +5,15 @@
 
 #include <glm/geometric.hpp>
 
+#include "indexing.hpp"
 #include "layout.hpp"
+#include "plane.hpp"
 
 namespace meshbound {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-double cross(const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; }
-
-double clamped(double x) { return x > 0 ? std::min(x, 1.0) : 0; } // NaN, from a degenerate crossing, becomes 0
-
-} // namespace
-
 void StarMap::enter(const Rows& rows, const Hole& hole) {
     rows_ = &rows;
     hole_ = &hole;
-    normal_ = star_normal(rows, hole);
+    normal_ = star_normal(hole);
     const double length = glm::length(normal_);
     if (length > 0) normal_ /= length;
     const int size = hole.size();
@@ -55,7 +47,7 @@ void StarMap::cross_spokes(int a, int b) {
     const auto spoke_of = [&](int n) { return (run.first + (rising ? n : run.count - 1 - n)) % hole_->size(); };
     for (int n = 0; n < run.count; ++n) {
         const int s = spoke_of(n);
-        const double u = clamped(cross(p, d) / cross(hole_->places[at(s)], d));
+        const double u = clamped(cross(p, d) / cross(hole_->places[at(s)], d), 0, 1);
         const double* tip = (*rows_)[hole_->ring[at(s)]];
         double* row = &scratch_[at(n) * width];
         for (std::size_t i = 0; i < width; ++i) row[i] = centre[i] + u * (tip[i] - centre[i]);

@@ -23,6 +23,8 @@ public:
 
     const double* operator[](std::uint32_t vertex) const { return values_.data() + vertex * 2 * std::size_t(lanes_); }
     int lanes() const { return lanes_; }
+    /// How many variables are bounded, position among them.
+    double variables() const { return static_cast<double>(vectors_.size() + scalar_variables_.size()); }
     static Lane lane(const double* row, int i) {
         Lane loaded;
         std::memcpy(&loaded, row + 2 * i, sizeof loaded);

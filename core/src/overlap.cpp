@@ -1,6 +1,6 @@
 #include "overlap.hpp"
 
-#include "layout.hpp"
+#include "plane.hpp"
 
 namespace meshbound {
 

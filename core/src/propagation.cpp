@@ -1,107 +1,16 @@
 #include "propagation.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "propagated_removal.hpp"
 
 namespace meshbound {
 
-void Propagation::Interval::include(const Interval& other) {
-    lowest = std::min(lowest, other.lowest);
-    highest = std::max(highest, other.highest);
-}
-
-double Propagation::Interval::magnitude() const { return std::max(-lowest, highest); }
-
 Propagation::Propagation(const Rows& rows, std::size_t slots, Cost cost)
-    : rows_(&rows), charged_(cost), intervals_(slots * width()), introduced_(width()) {}
+    : rows_(&rows), charged_(cost), intervals_(slots * width()) {}
 
-void Propagation::enter(const Hole& hole) {
-    hole_ = &hole;
-    map_.enter(*rows_, hole);
-}
-
-double Propagation::diagonal(int i, int j) {
-    if (charged_ == Cost::maximum) return 0; // charged with the triangles, whose intervals hold the crossings
-    double sum = 0;
-    const RingRun run = crossed_spokes(*hole_, i, j);
-    for (int n = 0; n < run.count; ++n)
-        sum += squared_ratio(map_.crossing(i, j, (run.first + n) % hole_->size()), rows_->groups());
-    return sum;
-}
-
-double Propagation::triangle(int a, int m, int b) {
-    if (charged_ == Cost::introduced)
-        return holds_candidate(*hole_, a, m, b) ? squared_ratio(map_.candidate(a, m, b), rows_->groups()) : 0;
-    fresh_.resize(width());
-    propagate(a, m, b, fresh_.data());
-    return worst(fresh_.data()).squared_ratio;
-}
-
-/// The interval of a new triangle: the hull over its pieces, one in each sector that it overlaps.
-void Propagation::propagate(int a, int m, int b, Interval* fresh) {
-    const double* candidate = holds_candidate(*hole_, a, m, b) ? map_.candidate(a, m, b) : nullptr;
-    const RingRun sectors = overlapped_sectors(*hole_, a, m, b);
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::fill(fresh, fresh + width(), Interval{infinity, -infinity});
-    for (int n = 0; n < sectors.count; ++n) add_piece(a, m, b, (sectors.first + n) % hole_->size(), candidate, fresh);
-}
-
-/// The piece of the new triangle in one sector. Its corners: crossings of the triangle's edges with the sector's two spokes,
-/// ring vertices (which do not move, error 0), and the candidate.
-void Propagation::add_piece(int a, int m, int b, int sector, const double* candidate, Interval* fresh) {
-    bool any = false;
-    const auto include = [&](const double* difference) {
-        for (std::size_t i = 0; i < width(); ++i) {
-            const double value = difference ? difference[i] : 0;
-            if (any) introduced_[i].include({value, value});
-            else introduced_[i] = {value, value};
-        }
-        any = true;
-    };
-    if (candidate) include(candidate);
-    for (const int spoke : {sector, hole_->after(sector)}) {
-        if (spoke == a || spoke == m || spoke == b) include(nullptr);
-        for (const auto& [i, j] : {std::pair{a, m}, std::pair{m, b}, std::pair{a, b}})
-            if (const double* crossing = map_.crossing(i, j, spoke)) include(crossing);
-    }
-    const Interval* old = &intervals_[hole_->slots[static_cast<std::size_t>(sector)] * width()];
-    for (std::size_t i = 0; i < width(); ++i)
-        fresh[i].include({old[i].lowest + introduced_[i].lowest, old[i].highest + introduced_[i].highest});
-}
-
-Measured Propagation::worst(const Interval* intervals) const {
-    Measured measured;
-    for (const RowGroup& group : rows_->groups()) {
-        if (!group.bounded) continue;
-        double square = 0;
-        for (int i = group.first; i < group.first + group.count; ++i) {
-            const double magnitude = intervals[i].magnitude();
-            square += magnitude * magnitude;
-        }
-        if (square > measured.squared_ratio) measured = {square, group.variable};
-    }
-    return measured;
-}
-
-Measured Propagation::measure(const Retriangulation& retriangulation, double squared_limit) {
-    Measured measured;
-    fresh_.resize(retriangulation.triangles.size() * width());
-    Interval* fresh = fresh_.data();
-    for (const NewTriangle& triangle : retriangulation.triangles) {
-        propagate(triangle.a, triangle.m, triangle.b, fresh);
-        if (const Measured here = worst(fresh); here.squared_ratio > measured.squared_ratio) measured = here;
-        if (measured.squared_ratio > squared_limit) break;
-        fresh += width();
-    }
-    return measured;
-}
-
-void Propagation::commit(const Retriangulation& retriangulation) {
-    const Interval* fresh = fresh_.data();
-    for (const NewTriangle& triangle : retriangulation.triangles) {
-        std::copy(fresh, fresh + width(), &intervals_[triangle.slot * width()]);
-        fresh += width();
-    }
+std::unique_ptr<RemovalAccounting> Propagation::removals() {
+    return std::make_unique<PropagatedRemoval>(*rows_, intervals_, charged_);
 }
 
 void Propagation::measure_in(const Rows& rows) {
@@ -120,13 +29,13 @@ void Propagation::measure_in(const Rows& rows) {
 }
 
 void Propagation::errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const {
-    const Interval* intervals = &intervals_[slot * width()];
+    const ErrorInterval* intervals = &intervals_[slot * width()];
     ranges.clear();
     for (const RowGroup& group : rows_->groups()) {
         double square = 0;
         for (int i = group.first; i < group.first + group.count; ++i)
             square += intervals[i].magnitude() * intervals[i].magnitude();
-        const Interval& sign = group.variable == 0 ? intervals[rows_->width()] : intervals[group.first];
+        const ErrorInterval& sign = group.variable == 0 ? intervals[rows_->width()] : intervals[group.first];
         ranges.push_back({std::sqrt(square), sign.lowest, sign.highest});
     }
 }

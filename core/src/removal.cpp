@@ -3,21 +3,20 @@
 namespace meshbound {
 
 Removal::Removal(Surface& surface, const Rows& rows, Accounting& accounting)
-    : surface_(surface), rows_(rows), accounting_(accounting), legality_(surface, accounting.minds_turns()) {}
+    : surface_(surface), rows_(rows), accounting_(accounting.removals()), legality_(accounting_->minds_turns()) {}
 
 Verdict Removal::attempt(std::uint32_t candidate, double squared_limit, Effort effort) {
     gather_star(surface_, candidate, hole_);
     lay_out(rows_, hole_);
     if (!legality_.enter(surface_, rows_, hole_)) return {Refusal::topology};
-    accounting_.enter(hole_);
-    if (!retriangulator_.triangulate(rows_, hole_, legality_, accounting_.cost(), retriangulation_))
-        return {Refusal::fold};
-    Measured measured = accounting_.measure(retriangulation_, squared_limit);
+    accounting_->enter(hole_);
+    if (!retriangulator_.triangulate(hole_, legality_, accounting_->cost(), retriangulation_)) return {Refusal::fold};
+    Measured measured = accounting_->measure(retriangulation_, squared_limit);
     if (measured.squared_ratio > squared_limit && effort == Effort::thorough)
         measured = try_fans(squared_limit, measured);
     if (measured.squared_ratio > squared_limit) return {Refusal::bound, measured.squared_ratio, measured.variable};
     surface_.retriangulate(hole_, retriangulation_);
-    accounting_.commit(retriangulation_);
+    accounting_->commit(retriangulation_);
     return {};
 }
 
@@ -26,7 +25,7 @@ Verdict Removal::attempt(std::uint32_t candidate, double squared_limit, Effort e
 Measured Removal::try_fans(double squared_limit, Measured refused) {
     for (int hub = 0; hub < hole_.size(); ++hub) {
         if (!retriangulator_.fan(hole_, legality_, hub, retriangulation_)) continue;
-        const Measured measured = accounting_.measure(retriangulation_, squared_limit);
+        const Measured measured = accounting_->measure(retriangulation_, squared_limit);
         if (measured.squared_ratio <= squared_limit) return measured;
         if (measured.squared_ratio < refused.squared_ratio) refused = measured;
     }

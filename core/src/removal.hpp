@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "accounting.hpp"
@@ -41,6 +42,9 @@ public:
     /// Removes the candidate if every error stays within the limit (squared ratio), else leaves everything as it was.
     Verdict attempt(std::uint32_t candidate, double squared_limit, Effort effort);
 
+    /// What the last attempt cost in time, in units of a small star.
+    std::size_t work() const { return accounting_->work(); }
+
     /// The hole of the last attempt: after a removal its ring is what changed.
     const Hole& hole() const { return hole_; }
 
@@ -49,7 +53,7 @@ private:
 
     Surface& surface_;
     const Rows& rows_;
-    Accounting& accounting_;
+    std::unique_ptr<RemovalAccounting> accounting_;
     Hole hole_;
     Legality legality_;
     Retriangulator retriangulator_;

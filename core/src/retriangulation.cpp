@@ -5,6 +5,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "indexing.hpp"
+#include "ring_triangle.hpp"
+
 namespace meshbound {
 namespace {
 
@@ -15,40 +18,46 @@ constexpr double impossible = std::numeric_limits<double>::infinity();
 constexpr double shape_weight = 1e-6;
 
 /// 1 for the equilateral triangle, growing with every needle; bounded so that a degenerate one can still be chosen.
-double shapelessness(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r) {
-    const glm::dvec3 u = q - p, v = r - p, w = r - q;
-    const double edges = glm::dot(u, u) + glm::dot(v, v) + glm::dot(w, w);
-    const double area = glm::length(glm::cross(u, v));
+double shapelessness(const RingTriangle& triangle) {
+    const glm::dvec3 w = triangle.v - triangle.u;
+    const double edges = glm::dot(triangle.u, triangle.u) + glm::dot(triangle.v, triangle.v) + glm::dot(w, w);
     constexpr double worst = 1e3, equilateral = 3.4641016151377544; // 2 √3: edges / area of the equilateral triangle
-    return edges < worst * equilateral * area ? edges / (equilateral * area) : worst;
+    const double area = equilateral * triangle.length;
+    return edges < worst * area ? edges / area : worst;
 }
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 } // namespace
 
-void Retriangulator::solve(const Rows& rows, const Hole& hole, const Legality& legality, HoleCost& cost) {
+/// The cheapest filling of the sub-polygon a … b by a triangle on (a, b) and the fillings of what it leaves.
+void Retriangulator::fill(const Hole& hole, const Legality& legality, HoleCost& cost, int a, int b) {
+    const int size = hole.size();
+    double& best = cost_[at(a * size + b)];
+    for (int m = a + 1; m < b; ++m) {
+        const double parts = cost_[at(a * size + m)] + cost_[at(m * size + b)];
+        if (!(parts < best) || !legality.lies_open(a, m, b)) continue;
+        const RingTriangle triangle(hole, a, m, b);
+        if (!legality.allows_triangle(triangle)) continue;
+        const double shaped = parts + shape_weight * shapelessness(triangle);
+        if (!(shaped < best)) continue; // costs are never negative
+        const double total = shaped + cost.triangle(a, m, b);
+        if (!(total < best)) continue;
+        if (!legality.allows_neighbours(triangle, middle_[at(a * size + m)], middle_[at(m * size + b)])) continue;
+        best = total;
+        middle_[at(a * size + b)] = m;
+    }
+}
+
+void Retriangulator::solve(const Hole& hole, const Legality& legality, HoleCost& cost) {
     const int size = hole.size();
     cost_.assign(at(size * size), impossible);
     middle_.assign(at(size * size), -1);
     for (int a = 0; a + 1 < size; ++a) cost_[at(a * size + a + 1)] = 0;
-    const auto position = [&](int i) { return rows.position(hole.ring[at(i)]); };
     for (int span = 2; span < size; ++span) {
         for (int a = 0; a + span < size; ++a) {
             const int b = a + span;
             if (!legality.allows_edge(a, b)) continue;
+            fill(hole, legality, cost, a, b);
             double& best = cost_[at(a * size + b)];
-            for (int m = a + 1; m < b; ++m) {
-                const double parts = cost_[at(a * size + m)] + cost_[at(m * size + b)];
-                if (!(parts < best) || !legality.allows_triangle(a, m, b)) continue;
-                const double total = parts + cost.triangle(a, m, b) +
-                                     shape_weight * shapelessness(position(a), position(m), position(b));
-                if (!(total < best)) continue;
-                if (!legality.allows_neighbours(a, m, b, middle_[at(a * size + m)], middle_[at(m * size + b)]))
-                    continue;
-                best = total;
-                middle_[at(a * size + b)] = m;
-            }
             if (span < size - 1 && best < impossible) best += cost.diagonal(a, b);
         }
     }
@@ -74,9 +83,8 @@ void Retriangulator::unfold(int size, Retriangulation& best) const {
     }
 }
 
-bool Retriangulator::triangulate(const Rows& rows, const Hole& hole, const Legality& legality, HoleCost& cost,
-                                 Retriangulation& best) {
-    solve(rows, hole, legality, cost);
+bool Retriangulator::triangulate(const Hole& hole, const Legality& legality, HoleCost& cost, Retriangulation& best) {
+    solve(hole, legality, cost);
     if (!(cost_[at(hole.size() - 1)] < impossible)) return false;
     unfold(hole.size(), best);
     return true;
@@ -92,8 +100,9 @@ bool Retriangulator::fan(const Hole& hole, const Legality& legality, int hub, Re
     const auto third = [&](int a, int b) { return middle_[at(a * size + b)]; };
     return std::all_of(best.triangles.begin(), best.triangles.end(), [&](const NewTriangle& triangle) {
         const int a = triangle.a, m = triangle.m, b = triangle.b;
-        return legality.allows_edge(a, b) && legality.allows_triangle(a, m, b) &&
-               legality.allows_neighbours(a, m, b, third(a, m), third(m, b));
+        if (!legality.allows_edge(a, b) || !legality.lies_open(a, m, b)) return false;
+        const RingTriangle in_space(hole, a, m, b);
+        return legality.allows_triangle(in_space) && legality.allows_neighbours(in_space, third(a, m), third(m, b));
     });
 }
 

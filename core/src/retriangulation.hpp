@@ -4,7 +4,6 @@
 
 #include "hole.hpp"
 #include "legality.hpp"
-#include "rows.hpp"
 
 namespace meshbound {
 
@@ -23,14 +22,14 @@ public:
 class Retriangulator {
 public:
     /// Fills `best`; false where no legal triangulation exists.
-    bool triangulate(const Rows& rows, const Hole& hole, const Legality& legality, HoleCost& cost,
-                     Retriangulation& best);
+    bool triangulate(const Hole& hole, const Legality& legality, HoleCost& cost, Retriangulation& best);
 
     /// The triangulation whose triangles all meet at ring position `hub`; false where it is not legal.
     bool fan(const Hole& hole, const Legality& legality, int hub, Retriangulation& best);
 
 private:
-    void solve(const Rows& rows, const Hole& hole, const Legality& legality, HoleCost& cost);
+    void solve(const Hole& hole, const Legality& legality, HoleCost& cost);
+    void fill(const Hole& hole, const Legality& legality, HoleCost& cost, int a, int b);
     void unfold(int size, Retriangulation& best) const;
 
     std::vector<double> cost_; // [a * size + b]: cheapest filling of the sub-polygon a … b

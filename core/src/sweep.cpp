@@ -5,9 +5,8 @@
 namespace meshbound {
 
 Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate)
-    : accounting_(accounting), removal_(surface, rows, accounting), candidate_(std::move(candidate)),
-      queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1), touched_(candidate_.size(), 0),
-      verdicts_(candidate_.size()) {}
+    : removal_(surface, rows, accounting), candidate_(std::move(candidate)), queued_(candidate_.size(), 0),
+      fresh_(candidate_.size(), 1), touched_(candidate_.size(), 0), verdicts_(candidate_.size()) {}
 
 bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker, double start, double end) {
     const double share = (end - start) / static_cast<double>(limits.size());
@@ -70,7 +69,7 @@ bool Sweeper::sweep_once(double squared_limit, Removal::Effort effort, Ticker& t
         }
         attempt(vertex, squared_limit, effort);
         const double done = static_cast<double>(next + 1) / static_cast<double>(queue_.size());
-        if (!ticker.tick(accounting_.work(), start + share * done)) return false;
+        if (!ticker.tick(removal_.work(), start + share * done)) return false;
     }
     return true;
 }

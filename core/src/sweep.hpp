@@ -30,7 +30,6 @@ private:
     void queue(std::uint32_t vertex);
     void attempt(std::uint32_t vertex, double squared_limit, Removal::Effort effort);
 
-    Accounting& accounting_;
     Removal removal_;
     std::vector<char> candidate_;
     std::vector<char> queued_;

@@ -1,54 +1,77 @@
 #include "tracked_cost.hpp"
 
-#include "layout.hpp"
+#include <bit>
+
+#include "indexing.hpp"
 #include "overlap.hpp"
+#include "plane.hpp"
 
 namespace meshbound {
 namespace {
 
 /// Of the vertices in a hole no more than about this many are asked: enough to tell good triangulations from bad ones (all
-/// of them leave no fewer triangles), few enough not to be what the time goes into.
+/// of them leave no fewer triangles), few enough not to be what the time goes into. At most 64, a bit each.
 constexpr std::size_t vertices_asked = 32;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 } // namespace
 
-void TrackedCost::enter(const Hole& hole, const HoleContent& content) {
+void TrackedCost::enter(const Hole& hole, const std::vector<InnerVertex>& inner) {
     hole_ = &hole;
     sample_.clear();
     if (hole.size() == 3) return; // one triangulation, nothing to choose
-    const std::size_t stride = 1 + content.vertices().size() / vertices_asked;
-    for (std::size_t i = 0; i < content.vertices().size(); i += stride)
-        if (content.vertices()[i].host == InnerVertex::Host::triangle) sample_.push_back(content.vertices()[i]);
+    take_sample(inner);
+    find_sides(inner);
+}
+
+void TrackedCost::take_sample(const std::vector<InnerVertex>& inner) {
+    const std::size_t stride = 1 + inner.size() / vertices_asked;
+    for (std::size_t i = 0; i < inner.size(); i += stride)
+        if (inner[i].host == InnerVertex::Host::triangle) sample_.push_back(static_cast<std::uint32_t>(i));
+}
+
+void TrackedCost::find_sides(const std::vector<InnerVertex>& inner) {
+    const int size = hole_->size();
+    left_.assign(at(size * size), 0);
+    right_.assign(at(size * size), 0);
+    for (int i = 0; i < size; ++i)
+        for (int j = i + 1; j < size; ++j)
+            for (std::size_t n = 0; n < sample_.size(); ++n) {
+                const double side = orientation(hole_->places[at(i)], hole_->places[at(j)], inner[sample_[n]].place);
+                left_[at(i * size + j)] |= std::uint64_t{side >= 0} << n;
+                right_[at(i * size + j)] |= std::uint64_t{side <= 0} << n;
+            }
 }
 
 double TrackedCost::diagonal(int i, int j) {
-    const auto row = [&](int ring) { return (*rows_)[hole_->ring[at(ring)]]; };
-    const double* candidate = (*rows_)[hole_->candidate];
+    const HoleProducts& products = *products_;
+    const double ii = products.ring(i, i), ij = products.ring(i, j), jj = products.ring(j, j);
     const RingRun run = crossed_spokes(*hole_, i, j);
     double sum = 0;
     for (int n = 0; n < run.count; ++n) {
-        const double* tip = row((run.first + n) % hole_->size());
-        const glm::dvec2 at_nearest = nearest_parameters(*rows_, {candidate, tip}, 0, 1, {row(i), row(j)});
-        sum += rows_->squared_ratio(
-            MeasuredRows::segment_difference(candidate, tip, at_nearest.x, row(i), row(j), at_nearest.y));
+        const int tip = (run.first + n) % hole_->size();
+        // The spoke begins at the candidate, which is the origin: u is the tip, w the ring position i.
+        const double uw = products.ring(tip, i);
+        const SegmentProducts segments{products.ring(tip, tip), products.ring(tip, j) - uw, jj - 2 * ij + ii, uw,
+                                       ij - ii};
+        const glm::dvec2 near = nearest_parameters(segments, 0, 1);
+        const double squared_distance = ii +
+                                        near.x * (near.x * segments.uu - 2 * (segments.uw + near.y * segments.uv)) +
+                                        near.y * (near.y * segments.vv + 2 * segments.vw);
+        sum += without_noise(squared_distance, segments.uu + ii + jj);
     }
     return sum;
 }
 
 double TrackedCost::triangle(int a, int m, int b) {
     if (sample_.empty()) return 0;
-    const glm::dvec2 &p = hole_->places[at(a)], &q = hole_->places[at(m)], &r = hole_->places[at(b)];
-    const auto row = [&](int ring) { return (*rows_)[hole_->ring[at(ring)]]; };
-    const JointTriangle joint(*rows_, row(a), row(m), row(b));
+    const int size = hole_->size();
+    std::uint64_t inside = left_[at(a * size + m)] & left_[at(m * size + b)] & right_[at(a * size + b)];
+    if (!inside) return 0;
+    const JointTriangle joint(*products_, a, m, b);
     double sum = 0;
-    for (const InnerVertex& inner : sample_) {
-        if (orientation(p, q, inner.place) < 0 || orientation(q, r, inner.place) < 0 ||
-            orientation(r, p, inner.place) < 0)
-            continue;
-        const double* vertex = (*rows_)[inner.vertex];
-        sum += joint.squared_ratio(*rows_, vertex, joint.nearest(*rows_, vertex));
+    for (; inside; inside &= inside - 1) {
+        const std::size_t vertex = sample_[static_cast<std::size_t>(std::countr_zero(inside))];
+        sum += joint.nearest(products_->vertex(vertex)).squared_distance;
     }
     return sum;
 }

@@ -1,0 +1,119 @@
+#include "laying.hpp"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "indexing.hpp"
+#include "plane.hpp"
+
+namespace meshbound {
+namespace {
+
+/// Neighbouring crossings stay apart on their original edge by at least this share of the room that is left there: at one place
+/// Φ would open it into a segment, and be a map only in the limit.
+constexpr double least_gap = 1e-12;
+
+} // namespace
+
+auto Laying::difference(const Piece& piece, const NewCrossing& crossing) const {
+    const NewTriangle& triangle = tree_->triangle(crossing.triangle);
+    return MeasuredRows::segment_difference(
+        rows_[map_.edges.lower(piece.original)], rows_[map_.edges.upper(piece.original)], crossing.s,
+        rows_[hole_->ring[at(triangle.a)]], rows_[hole_->ring[at(triangle.b)]], crossing.t);
+}
+
+double Laying::error(const Piece& piece, const NewCrossing& crossing) const {
+    return rows_.squared_ratio(difference(piece, crossing));
+}
+
+bool Laying::lay(const Hole& hole, HoleTree& tree, const Settling& settling, const std::vector<Piece>& pieces,
+                 WorstError& worst) {
+    hole_ = &hole;
+    tree_ = &tree;
+    settling_ = &settling;
+    crossings_.clear();
+    begin_.clear();
+    for (const Piece& piece : pieces) {
+        begin_.push_back(crossings_.size());
+        if (!lay_piece(piece, worst)) return false;
+    }
+    begin_.push_back(crossings_.size());
+    return true;
+}
+
+/// The triangle at which a piece may begin or end. Of a ring vertex any of its triangles serves.
+int Laying::triangle_at(const PieceEnd& end) const {
+    if (end.rim >= 0) return tree_->at_rim(end.rim);
+    if (end.inner >= 0) return settling_->settlements()[at(end.inner)].triangle;
+    return tree_->at_rim(end.ring);
+}
+
+glm::dvec2 Laying::place_of(const PieceEnd& end) const {
+    if (end.inner >= 0) return settling_->places()[at(end.inner)];
+    if (end.ring >= 0) return hole_->places[at(end.ring)];
+    const int i = end.rim, j = hole_->after(end.rim);
+    const double t = map_.crossings[end.crossing].t;
+    const double along = hole_->ring[at(i)] < hole_->ring[at(j)] ? t : 1 - t;
+    return hole_->places[at(i)] + along * (hole_->places[at(j)] - hole_->places[at(i)]);
+}
+
+bool Laying::lay_piece(const Piece& piece, WorstError& worst) {
+    const int from = triangle_at(piece.start), to = triangle_at(piece.end);
+    if (from == to) return true;
+    const std::size_t first = crossings_.size();
+    for (const HoleTree::Step& step : tree_->way(from, piece.start.ring, to, piece.end.ring))
+        crossings_.push_back({step.triangle, 0, 0, step.into});
+    cross_straight(piece, first);
+    const double threshold = content_with * content_with * worst.squared_limit();
+    for (std::size_t n = first; n < crossings_.size(); ++n) {
+        double here = error(piece, crossings_[n]);
+        if (choose_crossings_ && here > threshold) here = choose(piece, first, n, here);
+        if (!worst.take(here, difference(piece, crossings_[n]))) return false;
+    }
+    return true;
+}
+
+/// Crossings of the straight segment between the piece's ends with the diagonals on its way, each clamped into its
+/// diagonal, in order along the piece: the order is all that the proof needs. A diagonal along the segment is crossed
+/// wherever the two meet.
+void Laying::cross_straight(const Piece& piece, std::size_t first) {
+    if (first == crossings_.size()) return;
+    const glm::dvec2 start = place_of(piece.start), direction = place_of(piece.end) - start;
+    double reached = 0;
+    for (std::size_t n = first; n < crossings_.size(); ++n) {
+        NewCrossing& crossing = crossings_[n];
+        const NewTriangle& triangle = tree_->triangle(crossing.triangle);
+        const glm::dvec2 a = hole_->places[at(triangle.a)], along = hole_->places[at(triangle.b)] - a;
+        const double denominator = cross(direction, along);
+        const double meeting = denominator != 0 ? cross(a - start, along) / denominator
+                                                : glm::dot(a - start, direction) / glm::dot(direction, direction);
+        const double low = reached + least_gap * (1 - reached), high = 1 - least_gap * (1 - low);
+        reached = clamped(meeting, low, high);
+        crossing.t = clamped(glm::dot(start + reached * direction - a, along) / glm::dot(along, along), 0, 1);
+        crossing.s = piece.start.s + reached * (piece.end.s - piece.start.s);
+    }
+}
+
+/// The freedom of Φ: s may be anywhere between its neighbours on the original edge, t anywhere on the diagonal. Returns the
+/// error that is left.
+double Laying::choose(const Piece& piece, std::size_t first, std::size_t n, double error) {
+    NewCrossing& crossing = crossings_[n];
+    const double before = n == first ? piece.start.s : crossings_[n - 1].s;
+    const double behind = n + 1 == crossings_.size() ? piece.end.s : crossings_[n + 1].s;
+    const double low = std::min(crossing.s, before + least_gap * (behind - before));
+    const double high = std::max(crossing.s, behind - least_gap * (behind - before));
+    const JointSegment original{rows_[map_.edges.lower(piece.original)], rows_[map_.edges.upper(piece.original)]};
+    const NewTriangle& triangle = tree_->triangle(crossing.triangle);
+    const JointSegment diagonal{rows_[hole_->ring[at(triangle.a)]], rows_[hole_->ring[at(triangle.b)]]};
+    const glm::dvec2 nearest = nearest_parameters(products_of(rows_, original, diagonal), low, high);
+    NewCrossing chosen = crossing;
+    chosen.s = nearest.x;
+    chosen.t = nearest.y;
+    const double here = this->error(piece, chosen);
+    if (!(here < error)) return error;
+    crossing = chosen;
+    return here;
+}
+
+} // namespace meshbound

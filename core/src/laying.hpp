@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "hole_content.hpp"
+#include "hole_tree.hpp"
+#include "joint_space.hpp"
+#include "measured_rows.hpp"
+#include "settling.hpp"
+#include "tracked_map.hpp"
+#include "worst_error.hpp"
+
+namespace meshbound {
+
+/// A crossing with a new diagonal: that of `triangle` to its parent, t from its ring position a to b.
+struct NewCrossing {
+    int triangle = 0;
+    double s = 0, t = 0;
+    bool into = false; ///< passes into this triangle as s rises
+};
+
+/// How the pieces of original edges in a hole are laid over its new triangles: each runs from the triangle of its start to
+/// that of its end, straight in the layout or, where the map is free and the error high, where it is smallest.
+class Laying {
+public:
+    Laying(const MeasuredRows& rows, const TrackedMap& map, bool choose_crossings)
+        : rows_(rows), map_(map), choose_crossings_(choose_crossings) {}
+
+    /// Lays all pieces, their inner vertices being settled; false as soon as an error is above the limit.
+    bool lay(const Hole& hole, HoleTree& tree, const Settling& settling, const std::vector<Piece>& pieces,
+             WorstError& worst);
+
+    /// The crossings of a piece, with s rising: [begin(p), begin(p + 1)) of all.
+    const std::vector<NewCrossing>& crossings() const { return crossings_; }
+    std::size_t begin(std::size_t piece) const { return begin_[piece]; }
+
+private:
+    bool lay_piece(const Piece& piece, WorstError& worst);
+    int triangle_at(const PieceEnd& end) const;
+    glm::dvec2 place_of(const PieceEnd& end) const;
+    void cross_straight(const Piece& piece, std::size_t first);
+    double choose(const Piece& piece, std::size_t first, std::size_t n, double error);
+    auto difference(const Piece& piece, const NewCrossing& crossing) const;
+    double error(const Piece& piece, const NewCrossing& crossing) const;
+
+    const MeasuredRows& rows_;
+    const TrackedMap& map_;
+    bool choose_crossings_;
+    const Hole* hole_ = nullptr;
+    HoleTree* tree_ = nullptr;
+    const Settling* settling_ = nullptr;
+    std::vector<NewCrossing> crossings_; // piece after piece
+    std::vector<std::size_t> begin_;     // by piece: its first crossing
+};
+
+} // namespace meshbound

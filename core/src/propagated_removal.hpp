@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "accounting.hpp"
+#include "error_interval.hpp"
+#include "mapping.hpp"
+#include "meshbound/options.hpp"
+
+namespace meshbound {
+
+/// One removal after another with propagated errors: the new triangles' intervals from the old ones'.
+class PropagatedRemoval final : public RemovalAccounting, private HoleCost {
+public:
+    /// `intervals`: [slot * (width of a row + 1) + component].
+    PropagatedRemoval(const Rows& rows, std::vector<ErrorInterval>& intervals, Cost cost);
+
+    void enter(const Hole& hole) override;
+    HoleCost& cost() override { return *this; }
+    Measured measure(const Retriangulation& retriangulation, double squared_limit) override;
+    void commit(const Retriangulation& retriangulation) override;
+    std::size_t work() const override { return 1; }
+
+private:
+    double diagonal(int i, int j) override;
+    double triangle(int a, int m, int b) override;
+
+    void propagate(int a, int m, int b, ErrorInterval* fresh);
+    void add_piece(int a, int m, int b, int sector, const double* candidate, ErrorInterval* fresh);
+    Measured worst(const ErrorInterval* intervals) const;
+    std::size_t width() const { return static_cast<std::size_t>(rows_.width()) + 1; }
+
+    const Rows& rows_;
+    std::vector<ErrorInterval>& intervals_;
+    Cost charged_;
+    const Hole* hole_ = nullptr;
+    StarMap map_;
+    std::vector<ErrorInterval> fresh_; // as intervals_, for the new triangles of the removal measured last
+    std::vector<ErrorInterval> introduced_;
+};
+
+} // namespace meshbound

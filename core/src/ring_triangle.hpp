@@ -1,0 +1,23 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "hole.hpp"
+#include "indexing.hpp"
+
+namespace meshbound {
+
+/// The triangle of ring positions a < m < b as it stands in space, in bounds of position.
+struct RingTriangle {
+    RingTriangle(const Hole& hole, int first, int middle, int last)
+        : a(first), m(middle), b(last), u(hole.spokes[at(m)] - hole.spokes[at(a)]),
+          v(hole.spokes[at(b)] - hole.spokes[at(a)]), normal(glm::cross(u, v)), length(glm::length(normal)) {}
+
+    int a, m, b;
+    glm::dvec3 u, v;   ///< edges a → m and a → b
+    glm::dvec3 normal; ///< of length …
+    double length;     ///< … twice the area
+};
+
+} // namespace meshbound

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "hole_content.hpp"
+#include "hole_products.hpp"
+#include "hole_tree.hpp"
+#include "joint_space.hpp"
+#include "measured_rows.hpp"
+#include "worst_error.hpp"
+
+namespace meshbound {
+
+/// Where the vertices in a hole settle among its new triangles: where the layout puts them or, where the map is free and the
+/// error high, where it is smallest.
+class Settling {
+public:
+    Settling(const MeasuredRows& rows, HoleProducts& products, bool choose_places)
+        : rows_(rows), products_(products), choose_places_(choose_places) {}
+
+    /// At the corners a, m, b of a new triangle.
+    struct Settlement {
+        int triangle = 0;
+        glm::dvec3 weight{1, 0, 0};
+    };
+
+    /// Settles all inner vertices; false as soon as an error is above the limit.
+    bool settle(const Hole& hole, const HoleTree& tree, const Retriangulation& retriangulation,
+                const std::vector<InnerVertex>& inner, WorstError& worst);
+
+    const std::vector<Settlement>& settlements() const { return settlements_; } // by inner vertex
+    const std::vector<glm::dvec2>& places() const { return places_; }           // in the plane
+
+private:
+    Settlement locate(const InnerVertex& inner) const;
+    bool settle_vertex(std::size_t n, Settlement& settlement, WorstError& worst);
+    auto difference(const double* row, const Settlement& settlement) const;
+    double error(const double* row, const Settlement& settlement) const;
+    void choose_place(std::size_t n, const double* row, Settlement& settlement, double& error);
+    void choose_share(const double* row, Settlement& settlement, double& error) const;
+    glm::dvec2 place(const Settlement& settlement) const;
+
+    const MeasuredRows& rows_;
+    HoleProducts& products_;
+    bool choose_places_;
+    const Hole* hole_ = nullptr;
+    const HoleTree* tree_ = nullptr;
+    const std::vector<InnerVertex>* inner_ = nullptr;
+    std::vector<JointTriangle> joints_; // by new triangle; made when the first place is chosen
+    const Retriangulation* retriangulation_ = nullptr;
+    std::vector<Settlement> settlements_;
+    std::vector<glm::dvec2> places_;
+};
+
+} // namespace meshbound

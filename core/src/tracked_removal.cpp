@@ -1,0 +1,76 @@
+#include "tracked_removal.hpp"
+
+#include "indexing.hpp"
+
+namespace meshbound {
+
+TrackedRemoval::TrackedRemoval(const Rows& rows, const MeasuredRows& measured_rows, const Surface& surface,
+                               TrackedMap& map, const Options& options)
+    : rows_(rows), measured_rows_(measured_rows), surface_(surface), map_(map), content_(surface),
+      products_(measured_rows), cost_(products_), settling_(measured_rows, products_, options.choose_places),
+      laying_(measured_rows, map, options.choose_crossings) {}
+
+void TrackedRemoval::enter(const Hole& hole) {
+    hole_ = &hole;
+    content_.enter(rows_, surface_, map_.residents, hole);
+    products_.enter(hole, content_.vertices());
+    cost_.enter(hole, content_.vertices());
+}
+
+std::size_t TrackedRemoval::work() const { return 1 + content_.vertices().size() / 8; }
+
+Measured TrackedRemoval::measure(const Retriangulation& retriangulation, double squared_limit) {
+    WorstError worst(measured_rows_, squared_limit);
+    tree_.enter(*hole_, retriangulation);
+    if (!settling_.settle(*hole_, tree_, retriangulation, content_.vertices(), worst)) return worst.measured();
+    content_.find_pieces(map_.edges, map_.crossings, *hole_);
+    laying_.lay(*hole_, tree_, settling_, content_.pieces(), worst);
+    return worst.measured();
+}
+
+void TrackedRemoval::commit(const Retriangulation& retriangulation) {
+    for (const std::uint32_t slot : hole_->slots) map_.residents.clear_triangle(slot);
+    for (const std::uint32_t edge : hole_->spoke_edges) {
+        map_.crossings.clear(edge);
+        map_.residents.clear_edge(edge);
+    }
+    commit_settlements(retriangulation);
+    for (std::size_t p = 0; p < content_.pieces().size(); ++p) commit_piece(retriangulation, p);
+}
+
+void TrackedRemoval::commit_settlements(const Retriangulation& retriangulation) {
+    for (std::size_t i = 0; i < content_.vertices().size(); ++i) {
+        const InnerVertex& inner = content_.vertices()[i];
+        const Settling::Settlement& settlement = settling_.settlements()[i];
+        const NewTriangle& triangle = retriangulation.triangles[at(settlement.triangle)];
+        if (inner.host == InnerVertex::Host::triangle) {
+            map_.residents.settle_in_triangle(inner.vertex, triangle.slot, settlement.weight);
+        } else if (inner.host == InnerVertex::Host::closing) {
+            const bool canonical = hole_->ring.front() < hole_->ring.back();
+            map_.residents.settle_on_edge(inner.vertex, triangle.edge,
+                                          canonical ? settlement.weight.z : 1 - settlement.weight.z);
+        }
+    }
+}
+
+void TrackedRemoval::commit_piece(const Retriangulation& retriangulation, std::size_t p) {
+    const Piece& piece = content_.pieces()[p];
+    std::uint32_t before = piece.start.crossing;
+    for (std::size_t n = laying_.begin(p); n < laying_.begin(p + 1); ++n) {
+        const NewCrossing& fresh = laying_.crossings()[n];
+        const NewTriangle& triangle = retriangulation.triangles[at(fresh.triangle)];
+        const bool canonical = hole_->ring[at(triangle.a)] < hole_->ring[at(triangle.b)];
+        Crossing crossing;
+        crossing.s = fresh.s;
+        crossing.t = canonical ? fresh.t : 1 - fresh.t;
+        crossing.original = piece.original;
+        crossing.current = triangle.edge;
+        crossing.rightward = fresh.into == canonical; // the triangle lies on the right of its diagonal a → b
+        const std::uint32_t id = map_.crossings.add(crossing);
+        map_.crossings.link(piece.original, before, id);
+        before = id;
+    }
+    map_.crossings.link(piece.original, before, piece.end.crossing);
+}
+
+} // namespace meshbound

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "accounting.hpp"
+#include "hole_content.hpp"
+#include "hole_products.hpp"
+#include "hole_tree.hpp"
+#include "laying.hpp"
+#include "measured_rows.hpp"
+#include "meshbound/options.hpp"
+#include "rows.hpp"
+#include "settling.hpp"
+#include "tracked_cost.hpp"
+#include "tracked_map.hpp"
+
+namespace meshbound {
+
+/// One removal after another on the tracked map: what lies in the hole settles and is laid over the new triangles, the errors
+/// against the original are measured there, and the map is changed accordingly.
+class TrackedRemoval final : public RemovalAccounting {
+public:
+    TrackedRemoval(const Rows& rows, const MeasuredRows& measured_rows, const Surface& surface, TrackedMap& map,
+                   const Options& options);
+
+    void enter(const Hole& hole) override;
+    HoleCost& cost() override { return cost_; }
+    Measured measure(const Retriangulation& retriangulation, double squared_limit) override;
+    void commit(const Retriangulation& retriangulation) override;
+    bool minds_turns() const override { return false; }
+    std::size_t work() const override;
+
+private:
+    void commit_settlements(const Retriangulation& retriangulation);
+    void commit_piece(const Retriangulation& retriangulation, std::size_t p);
+
+    const Rows& rows_;
+    const MeasuredRows& measured_rows_;
+    const Surface& surface_;
+    TrackedMap& map_;
+    HoleContent content_;
+    HoleProducts products_;
+    TrackedCost cost_;
+    HoleTree tree_;
+    Settling settling_;
+    Laying laying_;
+    const Hole* hole_ = nullptr;
+};
+
+} // namespace meshbound

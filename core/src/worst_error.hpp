@@ -1,0 +1,36 @@
+#pragma once
+
+#include "accounting.hpp"
+#include "measured_rows.hpp"
+
+namespace meshbound {
+
+/// The worst of the errors of a removal, as they are met.
+class WorstError {
+public:
+    WorstError(const MeasuredRows& rows, double squared_limit) : rows_(rows), squared_limit_(squared_limit) {}
+
+    double squared_limit() const { return squared_limit_; }
+    const Measured& measured() const { return measured_; }
+
+    /// Takes the error of a difference of rows into account; false when it is above the limit.
+    template <class Difference>
+    bool take(double squared_error, const Difference& difference) {
+        if (squared_error <= measured_.squared_ratio) return true;
+        measured_.squared_ratio = squared_error;
+        if (squared_error <= squared_limit_) return true;
+        measured_.variable = rows_.worst_variable(difference);
+        return false;
+    }
+
+private:
+    const MeasuredRows& rows_;
+    double squared_limit_;
+    Measured measured_;
+};
+
+/// Places whose error is below this fraction of the limit are left where the layout puts them: looking further costs time and
+/// makes folds in the map for nothing.
+inline constexpr double content_with = 0.3;
+
+} // namespace meshbound
