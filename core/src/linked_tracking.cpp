@@ -27,6 +27,37 @@ private:
     const std::vector<std::uint32_t>& vertices_;
 };
 
+/// A removal on both maps.
+class LinkedRemoval final : public RemovalAccounting {
+public:
+    LinkedRemoval(std::unique_ptr<RemovalAccounting> from_original, std::unique_ptr<RemovalAccounting> from_finer)
+        : from_original_(std::move(from_original)), from_finer_(std::move(from_finer)) {}
+
+    void enter(const Hole& hole) override {
+        from_original_->enter(hole);
+        from_finer_->enter(hole);
+    }
+
+    HoleCost& cost() override { return from_original_->cost(); }
+
+    Measured measure(const Retriangulation& retriangulation, double squared_limit) override {
+        const Measured original = from_original_->measure(retriangulation, squared_limit);
+        if (original.squared_ratio > squared_limit) return original;
+        const Measured finer = from_finer_->measure(retriangulation, squared_limit);
+        return finer.squared_ratio > original.squared_ratio ? finer : original;
+    }
+
+    void commit(const Retriangulation& retriangulation) override {
+        from_original_->commit(retriangulation);
+        from_finer_->commit(retriangulation);
+    }
+
+    std::size_t work() const override { return from_original_->work() + from_finer_->work(); }
+
+private:
+    std::unique_ptr<RemovalAccounting> from_original_, from_finer_;
+};
+
 } // namespace
 
 LinkedTracking::LinkedTracking(Tracking& from_original, const Rows& rows, const Surface& surface,
@@ -34,21 +65,8 @@ LinkedTracking::LinkedTracking(Tracking& from_original, const Rows& rows, const 
     : from_original_(from_original), from_finer_(rows, surface, options), rows_(&rows), surface_(&surface),
       finer_vertices_(kept_vertices(surface)) {}
 
-void LinkedTracking::enter(const Hole& hole) {
-    from_original_.enter(hole);
-    from_finer_.enter(hole);
-}
-
-Measured LinkedTracking::measure(const Retriangulation& retriangulation, double squared_limit) {
-    const Measured original = from_original_.measure(retriangulation, squared_limit);
-    if (original.squared_ratio > squared_limit) return original;
-    const Measured finer = from_finer_.measure(retriangulation, squared_limit);
-    return finer.squared_ratio > original.squared_ratio ? finer : original;
-}
-
-void LinkedTracking::commit(const Retriangulation& retriangulation) {
-    from_original_.commit(retriangulation);
-    from_finer_.commit(retriangulation);
+std::unique_ptr<RemovalAccounting> LinkedTracking::removals() {
+    return std::make_unique<LinkedRemoval>(from_original_.removals(), from_finer_.removals());
 }
 
 void LinkedTracking::measure_in(const Rows& rows) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "accounting.hpp"
@@ -17,11 +18,7 @@ class LinkedTracking final : public Accounting {
 public:
     LinkedTracking(Tracking& from_original, const Rows& rows, const Surface& surface, const Options& options);
 
-    void enter(const Hole& hole) override;
-    HoleCost& cost() override { return from_original_.cost(); }
-    Measured measure(const Retriangulation& retriangulation, double squared_limit) override;
-    void commit(const Retriangulation& retriangulation) override;
-    std::size_t work() const override { return from_original_.work() + from_finer_.work(); }
+    std::unique_ptr<RemovalAccounting> removals() override;
     void measure_in(const Rows& rows) override;
     void errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const override;
 
