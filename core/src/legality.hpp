@@ -55,13 +55,6 @@ private:
     std::uint64_t ring_filter_ = 0; // a bit for the last digits of each ring vertex: most others are told from them
     std::vector<char> taken_;       // [i * size + j]: the edge exists
     std::vector<glm::dvec3> neighbours_; // by rim: normal of the triangle outside, or zero
-};                                       // of the hole, of unit length
-double least_cosine_ = 0;                // between it and the normal of a triangle
-double least_area_ = 0;                  // of a laid-out triangle, twice
-std::uint64_t ring_filter_ = 0;      // a bit for the last digits of each ring vertex: most others are told from them
-std::vector<char> taken_;            // [i * size + j]: the edge exists
-std::vector<glm::dvec3> neighbours_; // by rim: unit normal of the triangle outside, or zero
-std::vector<double> sharpest_;       // by rim: the least cosine of the angle across it
 };
 
 } // namespace meshbound

@@ -44,6 +44,8 @@ void TrackedCost::find_sides(const std::vector<InnerVertex>& inner) {
 
 double TrackedCost::diagonal(int i, int j) {
     const HoleProducts& products = *products_;
+    const auto row = [&](int ring) { return rows_[hole_->ring[at(ring)]]; };
+    const double* candidate = rows_[hole_->candidate];
     const double ii = products.ring(i, i), ij = products.ring(i, j), jj = products.ring(j, j);
     const RingRun run = crossed_spokes(*hole_, i, j);
     double sum = 0;
@@ -51,13 +53,10 @@ double TrackedCost::diagonal(int i, int j) {
         const int tip = (run.first + n) % hole_->size();
         // The spoke begins at the candidate, which is the origin: u is the tip, w the ring position i.
         const double uw = products.ring(tip, i);
-        const SegmentProducts segments{products.ring(tip, tip), products.ring(tip, j) - uw, jj - 2 * ij + ii, uw,
-                                       ij - ii};
-        const glm::dvec2 near = nearest_parameters(segments, 0, 1);
-        const double squared_distance = ii +
-                                        near.x * (near.x * segments.uu - 2 * (segments.uw + near.y * segments.uv)) +
-                                        near.y * (near.y * segments.vv + 2 * segments.vw);
-        sum += without_noise(squared_distance, segments.uu + ii + jj);
+        const glm::dvec2 near = nearest_parameters(
+            {products.ring(tip, tip), products.ring(tip, j) - uw, jj - 2 * ij + ii, uw, ij - ii}, 0, 1);
+        sum +=
+            rows_.squared_ratio(MeasuredRows::segment_difference(candidate, row(tip), near.x, row(i), row(j), near.y));
     }
     return sum;
 }

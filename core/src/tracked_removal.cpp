@@ -7,7 +7,8 @@ namespace meshbound {
 TrackedRemoval::TrackedRemoval(const Rows& rows, const MeasuredRows& measured_rows, const Surface& surface,
                                TrackedMap& map, const Options& options)
     : rows_(rows), measured_rows_(measured_rows), surface_(surface), map_(map), content_(surface),
-      products_(measured_rows), cost_(products_), settling_(measured_rows, products_, options.choose_places),
+      products_(measured_rows), cost_(measured_rows, products_),
+      settling_(measured_rows, products_, options.choose_places),
       laying_(measured_rows, map, options.choose_crossings) {}
 
 void TrackedRemoval::enter(const Hole& hole) {
