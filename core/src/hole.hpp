@@ -28,6 +28,7 @@ struct Hole {
     std::vector<std::uint32_t> slots;       ///< triangle of each sector
     std::vector<std::uint32_t> rims;        ///< half-edge ring[i] → ring[i + 1], in the sector's triangle
     std::vector<std::uint32_t> rim_edges;   ///< the edges of the rims
+    std::vector<glm::dvec3> positions;      ///< of ring[i], in bounds of position (filled by lay_out)
     std::vector<glm::dvec3> spokes;         ///< ring[i] less the candidate, in bounds of position (filled by lay_out)
     std::vector<glm::dvec2> places;         ///< ring[i] in the plane, candidate at the origin (filled by lay_out)
 

@@ -24,7 +24,11 @@ constexpr double widest_open_fan = 1.9 * pi;
 void find_spokes(const Rows& rows, Hole& hole) {
     const glm::dvec3 centre = rows.position(hole.candidate);
     hole.spokes.clear();
-    for (const std::uint32_t vertex : hole.ring) hole.spokes.push_back(rows.position(vertex) - centre);
+    hole.positions.clear();
+    for (const std::uint32_t vertex : hole.ring) {
+        hole.positions.push_back(rows.position(vertex));
+        hole.spokes.push_back(hole.positions.back() - centre);
+    }
 }
 
 /// Whether all sectors of a closed star turn counter-clockwise and go around just once.

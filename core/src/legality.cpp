@@ -102,12 +102,12 @@ void Legality::take(int i, int j) { taken_[at(i * hole_->size() + j)] = taken_[a
 
 void Legality::find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole) {
     neighbours_.assign(at(hole.sectors()), glm::dvec3(0));
-    const glm::dvec3 centre = rows.position(hole.candidate);
     for (int i = 0; i < hole.sectors(); ++i) {
         const std::uint32_t twin = surface.twin(hole.rims[at(i)]);
         if (twin == no_index) continue;
-        const glm::dvec3 &p = hole.spokes[at(i)], &q = hole.spokes[at(hole.after(i))]; // the twin runs from q to p
-        const glm::dvec3 tip = rows.position(surface.target(Surface::next(twin))) - centre;
+        const glm::dvec3 &p = hole.positions[at(i)],
+                         &q = hole.positions[at(hole.after(i))]; // the twin runs from q to p
+        const glm::dvec3 tip = rows.position(surface.target(Surface::next(twin)));
         neighbours_[at(i)] = glm::cross(p - q, tip - q);
     }
 }
@@ -148,7 +148,7 @@ bool Legality::lies_open(int a, int m, int b) const {
 }
 
 bool Legality::allows_triangle(const RingTriangle& triangle) const {
-    const auto& [a, m, b, u, v, normal, length] = triangle;
+    const auto& [a, m, b, u, v, w, normal, length] = triangle;
     if (minds_turns_ && glm::dot(normal, normal_) < least_cosine_ * length) return false;
     if (m == a + 1 && folds_onto_neighbour(triangle, a)) return false;
     if (b == m + 1 && folds_onto_neighbour(triangle, m)) return false;
@@ -157,7 +157,7 @@ bool Legality::allows_triangle(const RingTriangle& triangle) const {
 
 bool Legality::allows_neighbours(const RingTriangle& triangle, int left, int right) const {
     if (minds_turns_) return true; // keeping to one normal, they keep to each other
-    const auto& [a, m, b, u, v, normal, length] = triangle;
+    const auto& [a, m, b, u, v, w, normal, length] = triangle;
     return (left < 0 || !folds(normal, RingTriangle(*hole_, a, left, m).normal)) &&
            (right < 0 || !folds(normal, RingTriangle(*hole_, m, right, b).normal));
 }

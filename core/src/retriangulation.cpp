@@ -19,8 +19,8 @@ constexpr double shape_weight = 1e-6;
 
 /// 1 for the equilateral triangle, growing with every needle; bounded so that a degenerate one can still be chosen.
 double shapelessness(const RingTriangle& triangle) {
-    const glm::dvec3 w = triangle.v - triangle.u;
-    const double edges = glm::dot(triangle.u, triangle.u) + glm::dot(triangle.v, triangle.v) + glm::dot(w, w);
+    const double edges =
+        glm::dot(triangle.u, triangle.u) + glm::dot(triangle.v, triangle.v) + glm::dot(triangle.w, triangle.w);
     constexpr double worst = 1e3, equilateral = 3.4641016151377544; // 2 √3: edges / area of the equilateral triangle
     const double area = equilateral * triangle.length;
     return edges < worst * area ? edges / area : worst;

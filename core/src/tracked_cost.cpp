@@ -17,34 +17,38 @@ constexpr std::size_t vertices_asked = 32;
 
 void TrackedCost::enter(const Hole& hole, const std::vector<InnerVertex>& inner) {
     hole_ = &hole;
+    inner_ = &inner;
     sample_.clear();
     if (hole.size() == 3) return; // one triangulation, nothing to choose
-    take_sample(inner);
-    find_sides(inner);
+    take_sample();
+    find_sides();
 }
 
-void TrackedCost::take_sample(const std::vector<InnerVertex>& inner) {
+void TrackedCost::take_sample() {
+    const std::vector<InnerVertex>& inner = *inner_;
     const std::size_t stride = 1 + inner.size() / vertices_asked;
     for (std::size_t i = 0; i < inner.size(); i += stride)
         if (inner[i].host == InnerVertex::Host::triangle) sample_.push_back(static_cast<std::uint32_t>(i));
 }
 
-void TrackedCost::find_sides(const std::vector<InnerVertex>& inner) {
+void TrackedCost::find_sides() {
+    const std::vector<InnerVertex>& inner = *inner_;
     const int size = hole_->size();
     left_.assign(at(size * size), 0);
     right_.assign(at(size * size), 0);
     for (int i = 0; i < size; ++i)
         for (int j = i + 1; j < size; ++j)
             for (std::size_t n = 0; n < sample_.size(); ++n) {
-                const double side = orientation(hole_->places[at(i)], hole_->places[at(j)], inner[sample_[n]].place);
-                left_[at(i * size + j)] |= std::uint64_t{side >= 0} << n;
-                right_[at(i * size + j)] |= std::uint64_t{side <= 0} << n;
+                const glm::dvec2 &p = hole_->places[at(i)], &q = hole_->places[at(j)], &place = inner[sample_[n]].place;
+                left_[at(i * size + j)] |= std::uint64_t{orientation(p, q, place) >= 0} << n;
+                right_[at(i * size + j)] |= std::uint64_t{orientation(q, p, place) >= 0} << n;
             }
 }
 
+const double* TrackedCost::row(int ring) const { return rows_[hole_->ring[at(ring)]]; }
+
 double TrackedCost::diagonal(int i, int j) {
     const HoleProducts& products = *products_;
-    const auto row = [&](int ring) { return rows_[hole_->ring[at(ring)]]; };
     const double* candidate = rows_[hole_->candidate];
     const double ii = products.ring(i, i), ij = products.ring(i, j), jj = products.ring(j, j);
     const RingRun run = crossed_spokes(*hole_, i, j);
@@ -70,7 +74,8 @@ double TrackedCost::triangle(int a, int m, int b) {
     double sum = 0;
     for (; inside; inside &= inside - 1) {
         const std::size_t vertex = sample_[static_cast<std::size_t>(std::countr_zero(inside))];
-        sum += joint.nearest(products_->vertex(vertex)).squared_distance;
+        const glm::dvec3 w = joint.nearest(products_->vertex(vertex)).weight;
+        sum += rows_.squared_ratio(rows_[(*inner_)[vertex].vertex], row(a), row(m), row(b), w.x, w.y, w.z);
     }
     return sum;
 }

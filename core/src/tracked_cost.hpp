@@ -11,9 +11,8 @@
 namespace meshbound {
 
 /// What a retriangulation is charged for when errors are tracked: the squared errors, against the original, that the vertices
-/// in the hole could have at their nearest places in each triangle (there the sum over the variables, which the dot products
-/// give without going through the components), and those between each diagonal and the spokes that it crosses, at their
-/// nearest places. Leaves 4 % fewer triangles than the introduced errors of §3.4.1.
+/// in the hole could have at their best places in each triangle, and those between each diagonal and the spokes that it
+/// crosses, at their nearest places. Leaves 4 % fewer triangles than the introduced errors of §3.4.1.
 class TrackedCost final : public HoleCost {
 public:
     TrackedCost(const MeasuredRows& rows, HoleProducts& products) : rows_(rows), products_(&products) {}
@@ -23,12 +22,14 @@ public:
     double triangle(int a, int m, int b) override;
 
 private:
-    void take_sample(const std::vector<InnerVertex>& inner);
-    void find_sides(const std::vector<InnerVertex>& inner);
+    void take_sample();
+    void find_sides();
+    const double* row(int ring) const;
 
     const MeasuredRows& rows_;
     HoleProducts* products_;
     const Hole* hole_ = nullptr;
+    const std::vector<InnerVertex>* inner_ = nullptr;
     std::vector<std::uint32_t> sample_; // of the inner vertices
     std::vector<std::uint64_t> left_;   // [i * size + j], i < j: the sample's vertices left of the diagonal, a bit each
     std::vector<std::uint64_t> right_;  // and those right of it; those on it are on both sides
