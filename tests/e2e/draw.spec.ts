@@ -42,7 +42,7 @@ test.describe('on one page', () => {
   });
 
   test('shows a diverging map centred on zero', async () => {
-    await look(page(), { colour: 'vx', map: 'diverging' });
+    await look(page(), { colour: 'vx', map: 'RdBu' });
     const zero = page().locator('#original meshbound-legend .ticks span', { hasText: /^0$/ });
     await expect(zero).toHaveAttribute('style', /left: 50%/);
   });

@@ -24,10 +24,7 @@ const leftOf = (shown: ShownPlace[]) => shown.filter(({ x }) => x < 0.5);
 const rightOf = (shown: ShownPlace[]) => shown.filter(({ x }) => x > 0.5);
 
 /** Waits until both sides show colours of `map`, and tells what they stand for. */
-async function shownIn(
-  shown: Page,
-  map: 'share' | 'diverging',
-): Promise<{ original: ShownPlace[]; reduced: ShownPlace[] }> {
+async function shownIn(shown: Page, map: 'share' | 'RdBu'): Promise<{ original: ShownPlace[]; reduced: ShownPlace[] }> {
   const places = async (side: (typeof sides)[number]) => {
     let picture = await pictureOf(shown, side);
     const share = async () => {
@@ -70,7 +67,7 @@ test('signed errors stand around zero, from −bound to +bound, with the same nu
   expect(reduced).toBe(original);
   const zeros = page().locator('meshbound-legend .ticks span', { hasText: /^0$/ });
   for (const zero of await zeros.all()) await expect(zero).toHaveAttribute('style', /left: 50%/);
-  const places = await shownIn(page(), 'diverging');
+  const places = await shownIn(page(), 'RdBu');
   for (const side of sides) {
     expect(largest(places[side])).toBeGreaterThan(0.7);
     expect(smallest(places[side])).toBeLessThan(0.3);
@@ -99,7 +96,7 @@ test('a variable without a bound has no error / bound, but a signed error', asyn
   await expect(page().getByLabel('Colour').locator('option', { hasText: 'vz' })).toBeDisabled();
   await page().getByLabel('Show').selectOption({ label: 'signed error' });
   await expect(page().locator('meshbound-legend .ends').first()).toHaveText(/−largest\s*\+largest/);
-  await shownIn(page(), 'diverging');
+  await shownIn(page(), 'RdBu');
   await page().getByRole('checkbox', { name: 'vz bounded' }).check();
   await expect(sentence(page())).not.toContainText('nothing promised');
   await settled(page());
@@ -143,7 +140,7 @@ test('shows errors where they are, with their signs', async () => {
   await expect.poll(async () => (await counts(page())).after).toBe(2);
   await look(page(), { colour: 'heat', show: 'signed error' });
   await drawn(page());
-  const { original, reduced } = await shownIn(page(), 'diverging');
+  const { original, reduced } = await shownIn(page(), 'RdBu');
   // 1 of a bound of 1.2.
   expect(largest(leftOf(original))).toBeGreaterThan(0.85);
   expect(smallest(leftOf(original))).toBeGreaterThan(0.45);
@@ -155,7 +152,7 @@ test('shows errors where they are, with their signs', async () => {
   // The reduced surface lies inside under the hill and outside over the hollow.
   await page().getByLabel('Colour').selectOption({ label: 'position' });
   await expect(details(page()).first()).toContainText('+ where the reduced surface is outside');
-  const position = (await shownIn(page(), 'diverging')).original;
+  const position = (await shownIn(page(), 'RdBu')).original;
   expect(smallest(leftOf(position))).toBeLessThan(0.45);
   expect(largest(rightOf(position))).toBeGreaterThan(0.55);
 

@@ -39,7 +39,7 @@ test('everything works from the keyboard, with the focus in sight', async ({ pag
   await openPage(page);
   const first = await counts(page);
   const focused: string[] = [];
-  for (let press = 0; press < 16; press++) {
+  for (let press = 0; press < 26; press++) {
     await page.keyboard.press('Tab');
     focused.push(await describeFocus(page));
   }

@@ -28,7 +28,7 @@ test('the page about the element shows it at work, and names everything that it 
     await expect(page.locator('td:first-child code').getByText(name, { exact: true }).first()).toBeAttached();
   }
   // Each part that is named is there: red reaches it.
-  for (const { name } of cssParts.filter((part) => !['poster', 'notice', 'progress'].includes(part.name))) {
+  for (const { name } of cssParts.filter((part) => !['poster', 'notice', 'progress', 'divider'].includes(part.name))) {
     const part = viewer.locator(`[part~=${name.replace('legend-', '')}]`).first();
     await page.evaluate((each) => {
       const sheet = new CSSStyleSheet();

@@ -1,17 +1,30 @@
 import { describe, expect, test } from 'vitest';
 import {
   aboveBoundColour,
+  aboveRangeColour,
+  belowRangeColour,
   type Colormap,
   colourAt,
   colourTable,
   cssGradient,
+  divergingColormaps,
+  isDiverging,
   tableSize,
+  valueColormaps,
 } from '../../web/colour/colormaps.ts';
-import { centredOnZero, dataRange, placeIn, roundTicks } from '../../web/colour/colour-range.ts';
+import {
+  centredOnZero,
+  chosenRange,
+  dataRange,
+  parseRange,
+  placeIn,
+  rangeText,
+  roundTicks,
+} from '../../web/colour/colour-range.ts';
 import { flatPlaces, largerInSize, placeByShare, placeBySign, vertexPlaces } from '../../web/colour/error-places.ts';
 import { componentsOf, cornerPlaces, fieldOf, fieldRange } from '../../web/colour/field.ts';
 
-const maps: Colormap[] = ['viridis', 'cividis', 'diverging', 'share'];
+const maps: Colormap[] = ['viridis', 'cividis', 'magma', 'RdBu', 'PuOr', 'share'];
 
 describe('colour maps', () => {
   test('are the ones that their names say', () => {
@@ -38,7 +51,25 @@ describe('colour maps', () => {
     }
   });
 
-  test.each(['viridis', 'cividis'] as const)('%s grows lighter all the way', (map) => {
+  test.each(valueColormaps)('%s stays far from the colours of values outside its range', (map) => {
+    for (const place of Array.from({ length: 101 }, (_, step) => step / 100)) {
+      for (const outside of [belowRangeColour, aboveRangeColour]) {
+        const distance = Math.hypot(...colourAt(map, place).map((part, index) => part - outside[index]));
+        expect(distance).toBeGreaterThan(120);
+      }
+    }
+  });
+
+  test.each(divergingColormaps)('%s is lightest in the middle, and warm where positive', (map) => {
+    const sum = (place: number) => colourAt(map, place).reduce((total, part) => total + part, 0);
+    expect(sum(0.5)).toBeGreaterThan(Math.max(sum(0.1), sum(0.9)) + 200);
+    const [coldRed, , coldBlue] = colourAt(map, 0.1);
+    const [warmRed, , warmBlue] = colourAt(map, 0.9);
+    expect(warmRed - warmBlue).toBeGreaterThan(coldRed - coldBlue);
+    expect(isDiverging(map)).toBe(true);
+  });
+
+  test.each(['viridis', 'cividis', 'magma'] as const)('%s grows lighter all the way', (map) => {
     const lightness = (place: number) => {
       const [red, green, blue] = colourAt(map, place);
       return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
@@ -63,6 +94,38 @@ describe('the colour range', () => {
     expect(centredOnZero({ lowest: -1, highest: 3 })).toEqual({ lowest: -3, highest: 3 });
     expect(centredOnZero({ lowest: 2, highest: 3 })).toEqual({ lowest: -3, highest: 3 });
   });
+
+  test('lies between percentiles of the finite values', () => {
+    const values = Float64Array.from({ length: 101 }, (_, index) => 100 - index);
+    expect(chosenRange(values, { percentiles: [2, 98] })).toEqual({ lowest: 2, highest: 98 });
+    expect(chosenRange([NaN, 5, Infinity, 7], { percentiles: [0, 100] })).toEqual({ lowest: 5, highest: 7 });
+    expect(chosenRange([], { percentiles: [0, 100] })).toEqual({ lowest: 0, highest: 0 });
+  });
+
+  test('is the one that was typed, or that of the data', () => {
+    expect(chosenRange([3, 9], { lowest: 0, highest: 5 })).toEqual({ lowest: 0, highest: 5 });
+    expect(chosenRange([3, 9], 'data')).toEqual({ lowest: 3, highest: 9 });
+  });
+
+  test.each([
+    ['data', 'data'],
+    ['', 'data'],
+    ['0…1.5', { lowest: 0, highest: 1.5 }],
+    ['-2e3 .. 0', { lowest: -2000, highest: 0 }],
+    ['\u22122, 3', { lowest: -2, highest: 3 }],
+    ['1 to 2', { lowest: 1, highest: 2 }],
+    ['1 2', { lowest: 1, highest: 2 }],
+    ['2%…98%', { percentiles: [2, 98] }],
+    ['2 % 98 %', { percentiles: [2, 98] }],
+  ] as const)('is read from %j', (text, choice) => {
+    expect(parseRange(text)).toEqual(choice);
+    expect(parseRange(rangeText(choice as never))).toEqual(choice);
+  });
+
+  test.each(['3', '2…1', '1…1', 'a…b', '1…2…3', '2%…98', '-1%…50%', '2%…101%', '1…Infinity', '…2'])(
+    'is not read from %j',
+    (text) => expect(parseRange(text)).toBeNull(),
+  );
 
   test('has round ticks that lie inside it', () => {
     expect(roundTicks({ lowest: 0.02618, highest: 0.1413 }, 4)).toEqual([0.04, 0.06, 0.08, 0.1, 0.12, 0.14]);
@@ -94,6 +157,17 @@ describe('a field', () => {
     const field = new Float64Array([1e9, 1e9 + 1, 1e9 + 2]);
     const triangles = new Uint32Array([0, 1, 2]);
     expect([...cornerPlaces(field, triangles, fieldRange(field, triangles))]).toEqual([0, 0.5, 1]);
+  });
+
+  test('says how far outside the range a value lies', () => {
+    const places = cornerPlaces(new Float32Array([-2, 4, 6]), new Uint32Array([0, 1, 2]), { lowest: 0, highest: 4 });
+    expect([...places]).toEqual([-0.5, 1, 1.5]);
+  });
+
+  test('is missing on the whole of a triangle that has a corner without a number', () => {
+    const field = new Float32Array([0, 1, NaN, 1]);
+    const places = cornerPlaces(field, new Uint32Array([0, 1, 2, 0, 1, 3]), { lowest: 0, highest: 1 });
+    expect([...places].map((place) => place < -1e20)).toEqual([true, true, true, false, false, false]);
   });
 
   test('that is constant stands in the middle of the map', () => {

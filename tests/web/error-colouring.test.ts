@@ -86,7 +86,7 @@ describe('signed errors', () => {
       expect(meaning).toMatchObject({
         title: 'signed error: t',
         unit: 'K',
-        map: 'diverging',
+        map: 'RdBu',
         range: { lowest: -4, highest: 4 },
         ends: ['−bound', '+bound'],
       });

@@ -12,7 +12,12 @@ const nothing: WantedView = {
   component: null,
   show: null,
   colormap: null,
+  range: null,
+  view: null,
   edges: false,
+  flat: false,
+  orthographic: false,
+  clip: null,
   unlinked: false,
 };
 
@@ -44,13 +49,19 @@ describe('what is asked for', () => {
   );
 
   test('is shown', () => {
-    const wanted = { ...nothing, variable: 'b', component: 'y', show: 'error', colormap: 'cividis', unlinked: true };
+    const view = { range: '0…1', view: 'reduced', flat: true, orthographic: true, clip: 'x < 0.5', unlinked: true };
+    const wanted = { ...nothing, variable: 'b', component: 'y', show: 'error', colormap: 'cividis', ...view };
     expect(settingsFor(opened, wanted)).toEqual({
       variable: 'b',
       component: 1,
       quantity: 'error',
       colormap: 'cividis',
+      range: '0…1',
+      view: 'reduced',
       edges: false,
+      flat: true,
+      orthographic: true,
+      clip: 'x < 0.5',
       linked: false,
     });
   });
@@ -59,7 +70,15 @@ describe('what is asked for', () => {
     expect(settingsFor(opened, { ...nothing, variable: 'c', component: 'yz' }).component).toBe(5));
 
   test('is left to the viewer where it does not exist', () => {
-    const wanted = { ...nothing, variable: 'none', component: 'w', show: 'all', colormap: 'jet' };
+    const wanted = {
+      ...nothing,
+      variable: 'none',
+      component: 'w',
+      show: 'all',
+      colormap: 'jet',
+      range: '1…0',
+      clip: 'w',
+    };
     expect(settingsFor(opened, wanted)).toEqual({ ...firstView, variable: 'a', component: 0 });
   });
 

@@ -1,8 +1,17 @@
 import { rgb } from 'd3-color';
-import { interpolateCividis, interpolateRdBu, interpolateViridis, interpolateYlOrBr } from 'd3-scale-chromatic';
+import {
+  interpolateCividis,
+  interpolateMagma,
+  interpolatePuOr,
+  interpolateRdBu,
+  interpolateViridis,
+  interpolateYlOrBr,
+} from 'd3-scale-chromatic';
 
-/** The maps offered for values: two sequential ones, readable with any colour vision, and one centred on zero. */
-export const valueColormaps = ['viridis', 'cividis', 'diverging'] as const;
+/** The maps whose middle is zero: ColorBrewer's that any colour vision can read. */
+export const divergingColormaps = ['RdBu', 'PuOr'] as const;
+/** The maps offered for values: sequential ones, readable with any colour vision, and those centred on zero. */
+export const valueColormaps = ['viridis', 'cividis', 'magma', ...divergingColormaps] as const;
 export type ValueColormap = (typeof valueColormaps)[number];
 
 /** `share` is kept for error / bound, so that an error never looks like a value. */
@@ -14,15 +23,26 @@ export type Colour = readonly [red: number, green: number, blue: number];
 /** Error / bound above 1: loud, and far from every map, because it must never appear. */
 export const aboveBoundColour: Colour = [255, 0, 255];
 
+/** Values below and above a range that does not hold them all: far from every map, and dark against bright. */
+export const belowRangeColour: Colour = [0, 0, 255];
+export const aboveRangeColour: Colour = [0, 255, 255];
+
 /** Where there is no number to show. */
 export const missingColour: Colour = [150, 150, 150];
 
 const interpolators: Record<Colormap, (place: number) => string> = {
   viridis: interpolateViridis,
   cividis: interpolateCividis,
-  diverging: (place) => interpolateRdBu(1 - place),
+  magma: interpolateMagma,
+  // Turned round, so that warm is positive.
+  RdBu: (place) => interpolateRdBu(1 - place),
+  PuOr: interpolatePuOr,
   share: interpolateYlOrBr,
 };
+
+export function isDiverging(map: Colormap): boolean {
+  return divergingColormaps.some((name) => name === map);
+}
 
 /** The colour at `place`, 0…1 along the map. */
 export function colourAt(map: Colormap, place: number): Colour {

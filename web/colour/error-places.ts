@@ -1,15 +1,14 @@
+import { missingPlace } from './missing-place.ts';
+
 /** Errors are rounded up to single precision, so one that equals its bound may stand this fraction above it. */
 const roundedUp = 2 ** -23;
 
-/** Stands for a place where there is none to show; a surface is drawn there in the colour of the missing. */
-const nowhere = -1;
-
-/** The place of an error in a map; above 1 a broken promise, −1 where there is nothing to show. */
+/** The place of an error in a map; above 1 a broken promise, `missingPlace` where there is nothing to show. */
 export type PlaceOf = (error: number) => number;
 
 /** Error / bound: 0 no error, 1 all that is allowed. Nothing to show where the variable is free (its bound is not finite). */
 export function placeByShare(bound: number): PlaceOf {
-  if (!Number.isFinite(bound)) return () => nowhere;
+  if (!Number.isFinite(bound)) return () => missingPlace;
   return (error) => shareOf(error, bound);
 }
 

@@ -1,5 +1,6 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
-import { type ColourRange, dataRange } from './colour-range.ts';
+import { type ColourRange, dataRange, placeIn } from './colour-range.ts';
+import { missingPlace } from './missing-place.ts';
 
 /** What of a variable is shown: one of its components, counted from 0, or the Euclidean norm of them all. */
 export type Component = number | 'magnitude';
@@ -46,22 +47,29 @@ function norm(values: ArrayLike<number>, begin: number, end: number): number {
   return Math.sqrt(squares);
 }
 
+/** A field's values at the vertices that triangles use, once each. */
+export function usedValues(field: Field, triangles: Uint32Array): Float64Array {
+  const used = new Uint8Array(field.length);
+  for (const vertex of triangles) used[vertex] = 1;
+  return Float64Array.from(field).filter((_, vertex) => used[vertex] === 1);
+}
+
 /** The range of a field over the vertices that triangles use. */
 export function fieldRange(field: Field, triangles: Uint32Array): ColourRange {
-  const used = new Float64Array(triangles.length);
-  for (let corner = 0; corner < triangles.length; corner++) used[corner] = field[triangles[corner]];
-  return dataRange(used);
+  return dataRange(usedValues(field, triangles));
 }
 
 /**
- * The place of each triangle corner in the range, 0…1: what a surface interpolates and looks up. Subtracting in double
- * precision first keeps a small variation on a large number visible.
+ * The place of each triangle corner in the range, what a surface interpolates and looks up: 0…1, below 0 and above 1 where
+ * the range does not hold the value, `missingPlace` at all corners of a triangle that has a corner without a number.
+ * Subtracting in double precision first keeps a small variation on a large number visible.
  */
 export function cornerPlaces(field: Field, triangles: Uint32Array, range: ColourRange): Float32Array {
   const places = new Float32Array(triangles.length);
-  const width = range.highest - range.lowest;
-  for (let corner = 0; corner < triangles.length; corner++) {
-    places[corner] = width > 0 ? (field[triangles[corner]] - range.lowest) / width : 0.5;
+  for (let first = 0; first < triangles.length; first += 3) {
+    const values = [0, 1, 2].map((corner) => field[triangles[first + corner]]);
+    if (!values.every(Number.isFinite)) places.fill(missingPlace, first, first + 3);
+    else for (let corner = 0; corner < 3; corner++) places[first + corner] = placeIn(range, values[corner]);
   }
   return places;
 }

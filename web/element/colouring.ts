@@ -1,7 +1,15 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
-import type { Colormap } from '../colour/colormaps.ts';
-import { type ColourRange, centredOnZero } from '../colour/colour-range.ts';
-import { allVariables, componentsOf, cornerPlaces, type Field, fieldOf, fieldRange } from '../colour/field.ts';
+import { type Colormap, isDiverging } from '../colour/colormaps.ts';
+import { type ColourRange, centredOnZero, chosenRange, parseRange } from '../colour/colour-range.ts';
+import {
+  allVariables,
+  componentsOf,
+  cornerPlaces,
+  type Field,
+  fieldOf,
+  fieldRange,
+  usedValues,
+} from '../colour/field.ts';
 import type { Labels } from '../formats/surface.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { valueText } from './number-text.ts';
@@ -17,6 +25,8 @@ export interface Meaning {
   map: Colormap;
   /** What the ends of the map stand for. */
   range: ColourRange;
+  /** Whether there are values beyond the two ends, which then have colours of their own. */
+  beyond?: { below: boolean; above: boolean };
   /** What is written at the two ends of the map; none where its numbers say all. */
   ends: readonly [lowest: string, highest: string] | null;
   /** Places above 1 are broken promises. */
@@ -35,7 +45,7 @@ export interface Colouring {
 /** The values of the chosen variable on `mesh`, over the range that they have on the original surface. */
 export function valueColouring(mesh: Mesh, { mesh: original, labels }: OpenSurface, settings: ViewSettings): Colouring {
   const whole = fieldRange(chosenField(original, settings), original.triangles);
-  const range = settings.colormap === 'diverging' ? centredOnZero(whole) : whole;
+  const range = shownRange(original, whole, settings);
   return {
     places: cornerPlaces(chosenField(mesh, settings), mesh.triangles, range),
     meaning: {
@@ -45,11 +55,21 @@ export function valueColouring(mesh: Mesh, { mesh: original, labels }: OpenSurfa
       unit: labels.units[settings.variable],
       map: settings.colormap,
       range,
+      beyond: { below: whole.lowest < range.lowest, above: whole.highest > range.highest },
       ends: [`min ${valueText(whole.lowest, 4)}`, `max ${valueText(whole.highest, 4)}`],
       bounded: false,
       free: false,
     },
   };
+}
+
+/** What the ends of the map stand for: the values' own range, or what was chosen; around zero for maps whose middle that is. */
+function shownRange({ triangles, ...mesh }: Mesh, whole: ColourRange, settings: ViewSettings): ColourRange {
+  const choice = parseRange(settings.range) ?? 'data';
+  if (choice !== 'data' && !('percentiles' in choice)) return choice;
+  const values = () => usedValues(chosenField({ triangles, ...mesh }, settings), triangles);
+  const range = choice === 'data' ? whole : chosenRange(values(), choice);
+  return isDiverging(settings.colormap) ? centredOnZero(range) : range;
 }
 
 function chosenVariable(mesh: Mesh, { variable }: ViewSettings): Variable {

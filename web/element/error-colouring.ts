@@ -97,7 +97,7 @@ function signScale(reduction: Reduction, labels: Labels, settings: ViewSettings)
       quantity: 'signed-error',
       title: `signed error: ${variable.name}`,
       unit: labels.units[variable.name],
-      map: 'diverging',
+      map: 'RdBu',
       range: { lowest: -reach, highest: reach },
       ends: [`\u2212${end}`, `+${end}`],
       bounded,

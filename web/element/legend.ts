@@ -1,5 +1,13 @@
 import { css, html, LitElement, nothing } from 'lit';
-import { aboveBoundColour, type Colour, cssColour, cssGradient, missingColour } from '../colour/colormaps.ts';
+import {
+  aboveBoundColour,
+  aboveRangeColour,
+  belowRangeColour,
+  type Colour,
+  cssColour,
+  cssGradient,
+  missingColour,
+} from '../colour/colormaps.ts';
 import { placeIn, roundTicks } from '../colour/colour-range.ts';
 import type { Meaning } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
@@ -109,13 +117,13 @@ export class Legend extends LitElement {
     `;
   }
 
-  #below({ quantity, ends, bounded, free }: Meaning) {
-    const [lowest, highest] = ends ?? [];
+  #below({ quantity, ends, bounded, free, beyond }: Meaning) {
+    const [lowest, highest] = ends ?? ['', ''];
     return html`<div class="ends soft ${quantity}">
-      ${ends ? html`<span>${lowest}</span>` : nothing}
+      ${ends ? html`<span>${beyond?.below ? swatch(belowRangeColour, lowest) : lowest}</span>` : nothing}
       ${bounded ? swatch(aboveBoundColour, ends ? 'beyond: never' : 'above 1: never') : nothing}
       ${free ? swatch(missingColour, 'no bound') : nothing}
-      ${ends ? html`<span>${highest}</span>` : nothing}
+      ${ends ? html`<span>${beyond?.above ? swatch(aboveRangeColour, highest) : highest}</span>` : nothing}
     </div>`;
   }
 }

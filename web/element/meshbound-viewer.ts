@@ -19,6 +19,7 @@ import { overall, type Phase, type Step, stepOf } from './progress.ts';
 import { isMeasured, promiseSentence } from './promise-words.ts';
 import type { Stage } from './stage.ts';
 import './stage.ts';
+import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import { tokens } from './tokens.ts';
 import './view-controls.ts';
 import {
@@ -26,10 +27,11 @@ import {
   type Quantity,
   sameView,
   settingsFor,
+  type View,
   type ViewSettings,
   type WantedView,
 } from './view-settings.ts';
-import { type StateAttribute, stateAttributes, type ViewerState } from './viewer-state.ts';
+import { firstState, type StateAttribute, stateAttributes, type ViewerState } from './viewer-state.ts';
 
 /** What a state says beside address and bounds. */
 const viewAttributes = stateAttributes.filter((name) => name !== 'src' && name !== 'bounds');
@@ -45,6 +47,7 @@ const lazyMargin = '200px';
  * @fires {CustomEvent<{ name: string, variables: string[] }>} load - A surface is open.
  * @fires {CustomEvent<{ phase: Phase, progress: number }>} progress - What is being done, and how far everything is, 0…1.
  * @fires {CustomEvent<Report>} reduce - A reduction has ended well: its report.
+ * @fires {CustomEvent<{ camera: string | null }>} camera-change - The camera has moved; the detail is as the attribute.
  * @fires {CustomEvent<{ code: string, message: string }>} error - Something is at fault. What was shown before stays.
  *
  * @slot poster - Shown until the first surface is drawn, instead of the image that `poster` names.
@@ -58,6 +61,7 @@ const lazyMargin = '200px';
  * @csspart legend-title - The name and the unit of what is shown.
  * @csspart legend-bar - The colours.
  * @csspart legend-ticks - The numbers that they stand for.
+ * @csspart divider - What is dragged between the surfaces when one lies over the other.
  * @csspart poster - The image before the first surface.
  * @csspart notice - A message over the stage.
  * @csspart progress - How far the work is: a line at the lower edge of the stage.
@@ -94,7 +98,13 @@ export class MeshboundViewer extends LitElement implements WantedView {
     component: {},
     show: {},
     colormap: {},
+    range: {},
+    view: {},
     edges: { type: Boolean },
+    flat: { type: Boolean },
+    orthographic: { type: Boolean },
+    clip: {},
+    camera: { noAccessor: true },
     unlinked: { type: Boolean },
     controls: { type: Boolean },
     poster: {},
@@ -194,6 +204,16 @@ export class MeshboundViewer extends LitElement implements WantedView {
   declare show: Quantity | null;
   /** The map for values; errors have maps of their own. Default: viridis. */
   declare colormap: ValueColormap | null;
+  /** What the map for values spans: `data` (default), percentiles as `2%…98%`, or two values as `0…1.5`. */
+  declare range: string | null;
+  /** `split` (default), `wipe` (one over the other, with a divider to drag), `original` or `reduced`. */
+  declare view: View | null;
+  /** Whether every triangle is shaded as the plane that it is. */
+  declare flat: boolean;
+  /** Whether parallels stay parallel, instead of a perspective. */
+  declare orthographic: boolean;
+  /** A plane that cuts off one side, in the mesh's unit: `x < 0.5` keeps what is below. */
+  declare clip: string | null;
   /** Whether the edges of the triangles are drawn. */
   declare edges: boolean;
   /** Whether each side has a camera of its own, instead of one for both. */
@@ -226,6 +246,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
   /** What the work that goes on began with, and what was last told of it. */
   #first: Phase | null = null;
   #step: Step | null = null;
+  /** The camera, until there is a stage for it. */
+  #firstCamera: string | null = null;
   #sight: IntersectionObserver | null = null;
 
   constructor() {
@@ -237,6 +259,11 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.component = null;
     this.show = null;
     this.colormap = null;
+    this.range = null;
+    this.view = null;
+    this.flat = false;
+    this.orthographic = false;
+    this.clip = null;
     this.edges = false;
     this.unlinked = false;
     this.controls = false;
@@ -267,6 +294,22 @@ export class MeshboundViewer extends LitElement implements WantedView {
     }
   }
 
+  /**
+   * Where the camera stands and what it looks at, x y z each, where the surface lies within distance 1 of the origin:
+   * `1.9 1.5 3.8 / 0 0 0`. Null where all of the surface is in view, as at first.
+   *
+   * @attr
+   */
+  get camera(): string | null {
+    return this.#stage?.camera ?? this.#firstCamera;
+  }
+
+  set camera(text: string | null) {
+    this.#firstCamera = text;
+    const stage = this.#stage;
+    if (stage) stage.camera = text;
+  }
+
   /** What the last reduction reached; null where there is none. */
   get report(): Report | null {
     return this.reduction?.report ?? null;
@@ -292,7 +335,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
       bounds: surface && !areFirst(bounds) ? this.bounds : null,
     };
     for (const name of viewAttributes) text[name] = asAttribute(this[name]);
-    return Object.fromEntries(Object.entries(text).filter(([, value]) => typeof value === 'string'));
+    const said = stateAttributes.filter((name) => typeof text[name] === 'string' && text[name] !== firstState[name]);
+    return Object.fromEntries(said.map((name) => [name, text[name]]));
   }
 
   /** What a state does not say becomes as at first; but where it names no address, what is open stays. */
@@ -338,6 +382,18 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.#stage?.fit();
   }
 
+  /** Looks along an axis: from its positive or its negative end, `+x` to `-z`. */
+  lookFrom(direction: ViewDirection): void {
+    this.#stage?.lookFrom(direction);
+  }
+
+  /** What is seen as a PNG, with the legends or without. Rejects where nothing can be drawn. */
+  async toBlob({ legends = true }: { legends?: boolean } = {}): Promise<Blob> {
+    const blob = await this.#stage?.picture({ legends });
+    if (!blob) throw new Error('There is no picture: nothing can be drawn.');
+    return blob;
+  }
+
   /**
    * Offers a download: the reduced surface as `ply`, `vtp`, `vtk`, `glb`, `obj` or `stl`, the `report` as JSON, or the `map`
    * as VTP (the original with where each vertex went and what error it has there). What a format cannot hold is said.
@@ -363,6 +419,10 @@ export class MeshboundViewer extends LitElement implements WantedView {
     queueMicrotask(() => this.isConnected || this.session.stop());
   }
 
+  override firstUpdated(): void {
+    if (this.#firstCamera !== null) this.camera = this.#firstCamera;
+  }
+
   override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('errors') || changed.has('cost')) this.session.setMethod(methodFrom(this));
     if (changed.has('src') && this.src) this.#load();
@@ -376,7 +436,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
         <meshbound-stage
           role="group"
           aria-label=${this.alt ?? (surface?.name || nothing)}
-          exportparts="pane, caption, legend, legend-title, legend-bar, legend-ticks, canvas"
+          exportparts="pane, caption, legend, legend-title, legend-bar, legend-ticks, canvas, divider"
           .surface=${surface}
           .result=${reduced?.result ?? null}
           .levels=${this.#levelView}
@@ -386,6 +446,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
           .reducing=${progress !== null}
           .settings=${this.settings}
           @stage-drawn=${this.#stageDrawn}
+          @stage-camera=${({ detail }: CustomEvent<string | null>) => this.#fire('camera-change', { camera: detail })}
           @stage-fault=${this.#stageFault}
         ></meshbound-stage>
         ${this.drawnOnce ? nothing : this.#poster()}
@@ -432,7 +493,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
         .bounds=${bounds}
         .settings=${this.settings}
         @view-change=${({ detail }: CustomEvent<Partial<WantedView>>) => Object.assign(this, detail)}
-        @fit=${this.fit}
+        @fit=${() => this.fit()}
+        @look-from=${({ detail }: CustomEvent<ViewDirection>) => this.lookFrom(detail)}
       ></meshbound-view-controls>
       <slot name="controls"></slot>
     </div>`;
@@ -445,7 +507,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
   }
 
   get #stage(): Stage | null {
-    return this.renderRoot.querySelector<Stage>('meshbound-stage');
+    return this.renderRoot?.querySelector<Stage>('meshbound-stage') ?? null;
   }
 
   #load(): void {

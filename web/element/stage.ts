@@ -1,9 +1,18 @@
 import { css, html, LitElement, nothing } from 'lit';
 import type { Mesh, Reduction } from '../../wasm/types.ts';
-import { aboveBoundColour, type Colour, colourTable, missingColour } from '../colour/colormaps.ts';
+import {
+  aboveBoundColour,
+  aboveRangeColour,
+  belowRangeColour,
+  type Colour,
+  colourTable,
+  missingColour,
+} from '../colour/colormaps.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { type Frame, frameOf } from '../viewer/frame.ts';
 import { chooseLevel } from '../viewer/level-choice.ts';
+import { type CameraPlace, parsePlace, placeText, type ViewDirection } from '../viewer/linked-cameras.ts';
+import { parseClip } from '../viewer/look.ts';
 import type { ShownColour } from '../viewer/lookup-material.ts';
 import { carriedOver, type MorphCorners } from '../viewer/morph-corners.ts';
 import type { MorphSource } from '../viewer/prepare-morph.ts';
@@ -12,6 +21,7 @@ import { type Colouring, type Meaning, valueColouring } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
 import { originalErrors, reducedErrors, unknownErrors } from './error-colouring.ts';
 import './legend.ts';
+import { drawLegend } from './legend-picture.ts';
 import type { LevelStep, LevelView, MorphStep } from './level-view.ts';
 import { countText, trianglesText } from './number-text.ts';
 import { firstView, type ViewSettings } from './view-settings.ts';
@@ -20,12 +30,16 @@ const sides = ['original', 'reduced'] as const;
 const original = 0;
 const reduced = 1;
 
+/** How far a press of a key moves the divider. */
+const dividerStep = 0.02;
+
 /**
  * The original and the reduced surface side by side, with their legends. A side shows its last surface until the next is
  * ready to draw.
  *
  * @fires level-wanted with the level that the size on screen asks for
  * @fires stage-drawn when both sides show what they are to show
+ * @fires stage-camera with the place of the first camera as text, when it has moved
  * @fires stage-fault with a message where nothing can be drawn
  */
 export class Stage extends LitElement {
@@ -38,6 +52,7 @@ export class Stage extends LitElement {
     settings: { attribute: false },
     reducing: { type: Boolean },
     meanings: { state: true },
+    divider: { state: true },
   };
 
   static override styles = [
@@ -66,6 +81,50 @@ export class Stage extends LitElement {
         .panes {
           grid-template: 1fr 1fr / none;
         }
+      }
+      .panes.original,
+      .panes.reduced,
+      .panes.wipe {
+        grid-template: 1fr / 1fr;
+      }
+      .panes.original #reduced,
+      .panes.reduced #original {
+        display: none;
+      }
+      .panes.wipe .pane {
+        grid-area: 1 / 1;
+        box-shadow: none;
+      }
+      .panes.wipe #reduced {
+        align-items: end;
+      }
+      /* One over the other they have one legend: it is the same for both, or that of the errors of the upper one. */
+      .panes.wipe #reduced .caption {
+        align-self: end;
+      }
+      .panes.wipe #reduced meshbound-legend {
+        visibility: hidden;
+      }
+      .divider {
+        position: absolute;
+        top: 0;
+        bottom: 0;
+        width: 24px;
+        transform: translateX(-50%);
+        cursor: ew-resize;
+        touch-action: none;
+        background: linear-gradient(var(--accent) 0 0) 50% / 2px 100% no-repeat;
+      }
+      .divider::after {
+        content: '';
+        position: absolute;
+        top: calc(50% - 18px);
+        left: 6px;
+        width: 12px;
+        height: 36px;
+        background: var(--control);
+        border: 2px solid var(--accent);
+        border-radius: var(--radius);
       }
       .pane {
         display: flex;
@@ -111,7 +170,13 @@ export class Stage extends LitElement {
   /** What the colours of each side mean. */
   declare meanings: (Meaning | null)[];
 
+  /** Where the divider stands, 0…1 from the left. */
+  declare divider: number;
+
   #viewer: Viewer | null = null;
+  /** Where the camera is to stand when a surface comes; null fits it into view. */
+  #place: CameraPlace | null = null;
+  #toldCamera: string | null = null;
   #frame: Frame = { centre: [0, 0, 0], radius: 1 };
   /** What each side has drawn. */
   #drawn: (Mesh | MorphSource | null)[] = [null, null];
@@ -132,12 +197,14 @@ export class Stage extends LitElement {
     this.settings = firstView;
     this.reducing = false;
     this.meanings = [null, null];
+    this.divider = 0.5;
   }
 
   override render() {
     return html`
       <canvas part="canvas" aria-hidden="true"></canvas>
-      <div class="panes">${sides.map((_, side) => this.#pane(side))}</div>
+      <div class="panes ${this.settings.view}">${sides.map((_, side) => this.#pane(side))}</div>
+      ${this.settings.view === 'wipe' ? this.#dividerHandle() : nothing}
     `;
   }
 
@@ -162,6 +229,43 @@ export class Stage extends LitElement {
           : nothing
       }
     </div>`;
+  }
+
+  #dividerHandle() {
+    const percent = Math.round(100 * this.divider);
+    return html`<div
+      class="divider"
+      part="divider"
+      role="slider"
+      tabindex="0"
+      aria-label="How much of the stage shows the original"
+      aria-valuemin="0"
+      aria-valuemax="100"
+      aria-valuenow=${percent}
+      aria-valuetext="${percent} percent"
+      .style=${`left:${100 * this.divider}%`}
+      @pointerdown=${(event: PointerEvent) => (event.target as Element).setPointerCapture(event.pointerId)}
+      @pointermove=${this.#dragDivider}
+      @keydown=${this.#pressDivider}
+    ></div>`;
+  }
+
+  #dragDivider(event: PointerEvent): void {
+    if (!(event.target as Element).hasPointerCapture(event.pointerId)) return;
+    const { left, width } = this.getBoundingClientRect();
+    this.#divideAt((event.clientX - left) / width);
+  }
+
+  #pressDivider(event: KeyboardEvent): void {
+    const steps: Record<string, number> = { ArrowLeft: -dividerStep, ArrowRight: dividerStep, Home: -1, End: 1 };
+    if (!(event.key in steps)) return;
+    event.preventDefault();
+    this.#divideAt(this.divider + steps[event.key]);
+  }
+
+  #divideAt(share: number): void {
+    this.divider = Math.min(1, Math.max(0, share));
+    if (this.#viewer) this.#viewer.divider = this.divider;
   }
 
   #originalCaption() {
@@ -205,6 +309,7 @@ export class Stage extends LitElement {
     try {
       this.#viewer = new Viewer(canvas, panes);
       this.#viewer.addEventListener('draw', this.#chooseLevel);
+      this.#viewer.addEventListener('draw', () => this.#tellCamera());
     } catch {
       const detail = 'Nothing can be drawn: this browser offers no WebGL 2. Reducing and saving still work.';
       this.dispatchEvent(new CustomEvent('stage-fault', { detail }));
@@ -230,9 +335,67 @@ export class Stage extends LitElement {
     this.#viewer?.cameras.fit();
   }
 
+  /** Looks along an axis: from its positive or its negative end. */
+  lookFrom(direction: ViewDirection): void {
+    this.#viewer?.cameras.lookFrom(direction);
+  }
+
+  /** Where the first camera stands, as text; null where everything is fitted into view. */
+  get camera(): string | null {
+    const cameras = this.#viewer?.cameras;
+    return cameras && !cameras.fitted ? placeText(cameras.place(0)) : null;
+  }
+
+  set camera(text: string | null) {
+    this.#place = text === null ? null : parsePlace(text);
+    this.#applyPlace();
+  }
+
+  /** What is to be seen as a PNG, with the legends or without; null where nothing can be drawn. */
+  async picture({ legends }: { legends: boolean }): Promise<Blob | null> {
+    const drawn = await this.#viewer?.picture();
+    if (!drawn) return null;
+    const surfaces = await createImageBitmap(drawn);
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [surfaces.width, surfaces.height];
+    const context = canvas.getContext('2d') as CanvasRenderingContext2D;
+    context.fillStyle = getComputedStyle(this).backgroundColor;
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    context.drawImage(surfaces, 0, 0);
+    if (legends) this.#drawLegends(context, surfaces.width / this.clientWidth);
+    return new Promise((resolve) => canvas.toBlob(resolve));
+  }
+
+  #drawLegends(context: CanvasRenderingContext2D, scale: number): void {
+    context.scale(scale, scale);
+    const ink = getComputedStyle(this).color;
+    const stage = this.getBoundingClientRect();
+    sides.forEach((side, index) => {
+      const meaning = this.meanings[index];
+      const pane = this.renderRoot.querySelector(`#${side}`)?.getBoundingClientRect();
+      // One over the other they have one legend.
+      if (!meaning || !pane?.width || (this.settings.view === 'wipe' && index === reduced)) return;
+      drawLegend(context, meaning, { left: pane.left - stage.left, bottom: pane.bottom - stage.top, ink });
+    });
+  }
+
+  #applyPlace(): void {
+    const cameras = this.#viewer?.cameras;
+    if (!cameras) return;
+    cameras.fit();
+    for (const side of [original, reduced]) if (this.#place) cameras.setPlace(side, this.#place);
+  }
+
+  #tellCamera(): void {
+    const { camera } = this;
+    if (camera === this.#toldCamera) return;
+    this.#toldCamera = camera;
+    this.dispatchEvent(new CustomEvent('stage-camera', { detail: camera }));
+  }
+
   #showOriginal(): void {
     if (this.surface) this.#frame = frameOf(this.surface.mesh.position);
-    this.fit();
+    this.#applyPlace();
     void this.#show(original, this.surface?.mesh ?? null);
   }
 
@@ -309,7 +472,10 @@ export class Stage extends LitElement {
 
   #applySettings(viewer: Viewer): void {
     viewer.cameras.linked = this.settings.linked;
-    viewer.edges = this.settings.edges;
+    const { edges, flat, orthographic, clip, view } = this.settings;
+    viewer.look = { ...viewer.look, edges, shading: flat ? 'flat' : 'smooth', clip: parseClip(clip) };
+    viewer.cameras.projection = orthographic ? 'orthographic' : 'perspective';
+    viewer.divider = view === 'wipe' ? this.divider : null;
     for (const side of [original, reduced]) this.#repaint(side);
   }
 
@@ -338,11 +504,12 @@ export class Stage extends LitElement {
   #use(side: number, colouring: Colouring | null): Float32Array {
     const meaning = colouring?.meaning ?? null;
     this.meanings = this.meanings.map((old, index) => (index === side ? meaning : old));
-    if (!colouring) return new Float32Array();
+    if (!colouring || !meaning) return new Float32Array();
     this.#viewer?.setLookup(side, {
-      table: colourTable(colouring.meaning.map),
-      markAbove: colouring.meaning.quantity !== 'value',
-      above: shown(aboveBoundColour),
+      table: colourTable(meaning.map),
+      markAbove: meaning.quantity !== 'value' || meaning.beyond?.above === true,
+      above: shown(meaning.quantity === 'value' ? aboveRangeColour : aboveBoundColour),
+      below: meaning.beyond?.below ? shown(belowRangeColour) : undefined,
       missing: shown(missingColour),
     });
     return colouring.places;

@@ -1,11 +1,22 @@
 import { css, html, LitElement } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { valueColormaps } from '../colour/colormaps.ts';
+import { parseRange } from '../colour/colour-range.ts';
 import { componentsOf } from '../colour/field.ts';
 import type { BoundSettings } from '../session/bound-setting.ts';
 import type { OpenSurface } from '../session/session.ts';
+import { viewDirections } from '../viewer/linked-cameras.ts';
+import { parseClip } from '../viewer/look.ts';
 import { controlsStyle } from './controls-style.ts';
-import { firstView, hasSign, type Quantity, type ViewSettings, type WantedView } from './view-settings.ts';
+import {
+  firstView,
+  hasSign,
+  type Quantity,
+  type View,
+  type ViewSettings,
+  views,
+  type WantedView,
+} from './view-settings.ts';
 
 const quantityNames: Record<Quantity, string> = {
   value: 'values',
@@ -14,7 +25,14 @@ const quantityNames: Record<Quantity, string> = {
 };
 
 /** The maps that errors always have. */
-const errorMaps: Record<Exclude<Quantity, 'value'>, string> = { error: 'YlOrBr', 'signed-error': 'diverging' };
+const errorMaps: Record<Exclude<Quantity, 'value'>, string> = { error: 'YlOrBr', 'signed-error': 'RdBu' };
+
+const viewNames: Record<View, string> = {
+  split: 'side by side',
+  wipe: 'wipe',
+  original: 'original',
+  reduced: 'reduced',
+};
 
 /** A variable, or a component of one, to be looked at. */
 interface Choice {
@@ -29,6 +47,7 @@ interface Choice {
  *
  * @fires view-change with what is wanted now: a Partial<WantedView>
  * @fires fit
+ * @fires look-from with a ViewDirection
  */
 export class ViewControls extends LitElement {
   static override properties = {
@@ -68,6 +87,32 @@ export class ViewControls extends LitElement {
       }
       select.narrow {
         width: 96px;
+      }
+      [popover] {
+        inset: auto;
+        margin: 0;
+        padding: 10px 12px;
+        color: var(--ink);
+        background: var(--panel);
+        border: 1px solid var(--control-line);
+        border-radius: var(--radius);
+        box-shadow: 0 2px 8px rgb(0 0 0 / 15%);
+      }
+      [popover] label {
+        display: flex;
+        margin-bottom: 6px;
+      }
+      [popover] input[type='text'] {
+        flex: 1;
+        width: 120px;
+      }
+      [popover] [aria-invalid='true'] {
+        border-color: var(--fault);
+      }
+      .axes {
+        display: grid;
+        grid-template-columns: repeat(6, 1fr);
+        gap: 4px;
       }
       @container bar (max-width: 800px) {
         .group {
@@ -164,7 +209,7 @@ export class ViewControls extends LitElement {
     const names = this.surface?.labels.componentNames ?? {};
     return (this.surface?.variables ?? []).flatMap((variable) =>
       componentsOf(variable.components, names[variable.name]).map(({ component, label }) => ({
-        view: { variable: variable.name, component: label },
+        view: { variable: variable.name, component: variable.components === 1 ? null : label },
         selected: variable.name === this.settings.variable && component === this.settings.component,
         disabled: false,
         text: variable.components === 1 ? variable.name : `${variable.name}, ${label}`,
@@ -182,18 +227,86 @@ export class ViewControls extends LitElement {
   }
 
   #viewControls() {
-    const { edges, linked } = this.settings;
     return html`
       <label>
-        <input type="checkbox" .checked=${edges} @change=${(event: Event) => this.#change({ edges: ticked(event) })} />
-        Edges
+        <span class="soft">View</span>
+        <select class="narrow" @change=${(event: Event) => this.#change({ view: chosen(event) })}>
+          ${views.map(
+            (view) =>
+              html`<option value=${view} .selected=${live(view === this.settings.view)}>${viewNames[view]}</option>`,
+          )}
+        </select>
       </label>
-      <label>
-        <input type="checkbox" .checked=${linked} @change=${(event: Event) => this.#change({ unlinked: !ticked(event) })} />
-        One camera
-      </label>
+      ${this.#tick('Edges', this.settings.edges, (edges) => ({ edges }))}
+      ${this.#tick('One camera', this.settings.linked, (linked) => ({ unlinked: !linked }))}
+      <button popovertarget="more" @click=${this.#place}>More</button>
+      <div id="more" popover @toggle=${this.#place}>${this.#moreControls()}</div>
       <button @click=${() => this.dispatchEvent(new CustomEvent('fit'))}>Fit</button>
     `;
+  }
+
+  #moreControls() {
+    const { flat, orthographic, range, clip, quantity } = this.settings;
+    return html`
+      ${this.#tick('Flat shading', flat, (now) => ({ flat: now }))}
+      ${this.#tick('Parallel, no perspective', orthographic, (now) => ({ orthographic: now }))}
+      <label>
+        Range
+        <input
+          type="text"
+          placeholder="data"
+          title="data, percentiles as 2%…98%, or two values as 0…1.5"
+          .value=${range === firstView.range ? '' : range}
+          ?disabled=${quantity !== 'value'}
+          @change=${(event: Event) => this.#typed(event, 'range', parseRange)}
+        />
+      </label>
+      <label>
+        Cut at
+        <input
+          type="text"
+          placeholder="x < 0.5"
+          title="A plane: x < 0.5 keeps what is below, z > 2 what is above; empty, all"
+          .value=${clip}
+          @change=${(event: Event) => this.#typed(event, 'clip', parseClip)}
+        />
+      </label>
+      <div class="axes" role="group" aria-label="Look along an axis">
+        ${Object.keys(viewDirections).map(
+          (direction) => html`<button
+            aria-label="From ${direction}"
+            @click=${() => this.dispatchEvent(new CustomEvent('look-from', { detail: direction }))}
+          >
+            ${direction.replace('-', '\u2212')}
+          </button>`,
+        )}
+      </div>
+    `;
+  }
+
+  #tick(text: string, on: boolean, wanted: (on: boolean) => Partial<WantedView>) {
+    return html`<label>
+      <input type="checkbox" .checked=${live(on)} @change=${(event: Event) => this.#change(wanted(ticked(event)))} />
+      ${text}
+    </label>`;
+  }
+
+  /** Takes what was typed where it can be understood; else the field says that it cannot. */
+  #typed({ target }: Event, name: 'range' | 'clip', parse: (text: string) => unknown): void {
+    const input = target as HTMLInputElement;
+    const text = input.value.trim();
+    const understood = text === '' || parse(text) !== null;
+    input.setAttribute('aria-invalid', String(!understood));
+    if (understood) this.#change({ [name]: text || null });
+  }
+
+  /** Below its button, inside the window. */
+  #place(): void {
+    const list = this.renderRoot.querySelector('#more') as HTMLElement;
+    const button = this.renderRoot.querySelector('[popovertarget=more]')?.getBoundingClientRect();
+    if (!button) return;
+    list.style.top = `${button.bottom + 4}px`;
+    list.style.left = `${Math.max(4, Math.min(button.left, innerWidth - list.offsetWidth - 4))}px`;
   }
 
   #change(detail: Partial<WantedView>): void {

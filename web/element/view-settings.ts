@@ -1,11 +1,17 @@
 import type { VariableExtent } from '../../wasm/index.ts';
 import { type ValueColormap, valueColormaps } from '../colour/colormaps.ts';
+import { parseRange } from '../colour/colour-range.ts';
 import { type Component, componentsOf } from '../colour/field.ts';
 import type { OpenSurface } from '../session/session.ts';
+import { parseClip } from '../viewer/look.ts';
 
 /** What is shown of a variable: its values, the errors as shares of the bound, or the errors with their signs. */
 export const quantities = ['value', 'error', 'signed-error'] as const;
 export type Quantity = (typeof quantities)[number];
+
+/** Both side by side, one alone, or one over the other with a divider to drag. */
+export const views = ['split', 'wipe', 'original', 'reduced'] as const;
+export type View = (typeof views)[number];
 
 /** How the surfaces are looked at. */
 export interface ViewSettings {
@@ -16,8 +22,18 @@ export interface ViewSettings {
   /** For values; errors have maps of their own. */
   colormap: ValueColormap;
   quantity: Quantity;
-  /** Flat shading with edges: the tessellation. */
+  /** What the map for values spans. */
+  range: string;
+  /** Which surfaces are to be seen, and how they share the stage. */
+  view: View;
+  /** The edges of the triangles. */
   edges: boolean;
+  /** Every triangle as the plane that it is. */
+  flat: boolean;
+  /** Parallels stay parallel. */
+  orthographic: boolean;
+  /** A plane across an axis, which cuts off one side, as text. */
+  clip: string;
   /** One camera for both sides. */
   linked: boolean;
 }
@@ -28,7 +44,12 @@ export const firstView: ViewSettings = {
   component: 'magnitude',
   colormap: 'viridis',
   quantity: 'value',
+  range: 'data',
+  view: 'split',
   edges: false,
+  flat: false,
+  orthographic: false,
+  clip: '',
   linked: true,
 };
 
@@ -44,7 +65,12 @@ export interface WantedView {
   component: string | null;
   show: string | null;
   colormap: string | null;
+  range: string | null;
+  view: string | null;
   edges: boolean;
+  flat: boolean;
+  orthographic: boolean;
+  clip: string | null;
   unlinked: boolean;
 }
 
@@ -54,8 +80,14 @@ export function settingsFor(surface: OpenSurface | null, wanted: WantedView): Vi
     ...firstView,
     colormap: valueColormaps.find((name) => name === wanted.colormap) ?? firstView.colormap,
     quantity: quantities.find((name) => name === wanted.show) ?? firstView.quantity,
+    range: wanted.range && parseRange(wanted.range) ? wanted.range : firstView.range,
+    view: views.find((name) => name === wanted.view) ?? firstView.view,
     edges: wanted.edges,
-    linked: !wanted.unlinked,
+    flat: wanted.flat,
+    orthographic: wanted.orthographic,
+    clip: wanted.clip && parseClip(wanted.clip) ? wanted.clip : firstView.clip,
+    // One over the other, two cameras would make no sense.
+    linked: !wanted.unlinked || wanted.view === 'wipe',
   };
   return surface ? { ...settings, ...shownVariable(surface, wanted, settings.quantity) } : settings;
 }

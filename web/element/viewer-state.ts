@@ -11,10 +11,26 @@ export const stateAttributes = [
   'component',
   'show',
   'colormap',
+  'range',
+  'view',
   'edges',
+  'flat',
+  'orthographic',
+  'clip',
   'unlinked',
+  'camera',
 ] as const;
 export type StateAttribute = (typeof stateAttributes)[number];
+
+/** What attributes are where nothing is said: a state need not say it. */
+export const firstState: ViewerState = {
+  errors: 'tracked',
+  cost: 'introduced',
+  show: 'value',
+  colormap: 'viridis',
+  range: 'data',
+  view: 'split',
+};
 
 /** The attributes of a viewer that are not as at first; those without a value are empty. */
 export type ViewerState = Partial<Record<StateAttribute, string>>;

@@ -7,6 +7,7 @@ import type { WantedView } from '../element/view-settings.ts';
 import { stateFromJson, stateJson } from '../element/viewer-state.ts';
 import { messageOf } from '../session/failure.ts';
 import type { Method } from '../session/session.ts';
+import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';
 import { controlsStyle } from '../element/controls-style.ts';
@@ -17,6 +18,7 @@ import './result-bar.ts';
 
 import './levels-panel.ts';
 import { Link } from './link.ts';
+import type { MenuItem } from './menu.ts';
 import './menu.ts';
 
 import type { Sample } from './samples.ts';
@@ -121,6 +123,7 @@ export class App extends LitElement {
       this.#changed();
     });
     this.#curve.addEventListener('change', () => this.requestUpdate());
+    this.viewer.addEventListener('camera-change', () => this.#link.update());
     this.addEventListener('bound-settled', () => this.viewer.session.settleBounds());
     addEventListener('keydown', this.#pressKey);
   }
@@ -147,6 +150,7 @@ export class App extends LitElement {
         @open-sample=${({ detail }: CustomEvent<Sample>) => this.#openSample(detail)}
         @view-change=${({ detail }: CustomEvent<Partial<WantedView>>) => this.#set(detail)}
         @fit=${() => this.viewer.fit()}
+        @look-from=${({ detail }: CustomEvent<ViewDirection>) => this.viewer.lookFrom(detail)}
       >
         ${this.#shareMenu()}
       </meshbound-toolbar>
@@ -194,8 +198,20 @@ export class App extends LitElement {
   }
 
   #saveMenu(hasResult: boolean) {
-    const items = savedKinds.map((kind) => ({ ...savedTexts[kind], take: () => this.viewer.save(kind) }));
+    const items: MenuItem[] = [
+      ...savedKinds.map((kind) => ({ ...savedTexts[kind], take: () => this.viewer.save(kind) })),
+      { text: 'Picture (PNG)', title: 'What is seen, with its legends', take: () => this.#savePicture(true) },
+      { text: 'Picture, no legends', title: 'The surfaces alone', take: () => this.#savePicture(false) },
+    ];
     return html`<meshbound-menu label="Save…" ?disabled=${!hasResult} .items=${items}></meshbound-menu>`;
+  }
+
+  async #savePicture(legends: boolean): Promise<void> {
+    try {
+      download('meshbound.png', await this.viewer.toBlob({ legends }));
+    } catch (error) {
+      this.viewer.session.report(error);
+    }
   }
 
   #shareMenu() {
@@ -214,6 +230,7 @@ export class App extends LitElement {
 
   #openSample({ address }: Sample): void {
     this.viewer.session.wantBounds(null, { later: true });
+    this.viewer.camera = null;
     this.viewer.src = address;
   }
 
@@ -223,6 +240,7 @@ export class App extends LitElement {
       return;
     }
     this.viewer.session.wantBounds(null, { later: true });
+    this.viewer.camera = null;
     void this.viewer.open(file);
   }
 

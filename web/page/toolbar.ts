@@ -18,6 +18,7 @@ const offeredEndings = [...Object.keys(formatNames), 'gltf', 'gz'].map((ending) 
  * @fires open-sample with a Sample
  * @fires view-change with what is wanted now: a Partial<WantedView>
  * @fires fit
+ * @fires look-from with a ViewDirection
  */
 export class Toolbar extends LitElement {
   static override properties = {
@@ -99,6 +100,7 @@ export class Toolbar extends LitElement {
         @view-change=${({ detail }: CustomEvent<Partial<WantedView>>) =>
           this.dispatchEvent(new CustomEvent('view-change', { detail }))}
         @fit=${() => this.dispatchEvent(new CustomEvent('fit'))}
+        @look-from=${({ detail }: CustomEvent<string>) => this.dispatchEvent(new CustomEvent('look-from', { detail }))}
       ></meshbound-view-controls>
     `;
   }

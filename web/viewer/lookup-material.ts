@@ -1,4 +1,5 @@
-import { DoubleSide, GLSL3, RawShaderMaterial, type Texture } from 'three';
+import { DoubleSide, GLSL3, RawShaderMaterial, type Texture, type Vector4 } from 'three';
+import { missingPlace } from '../colour/missing-place.ts';
 
 /** A colour as it is shown on screen, each part 0…1. */
 export type ShownColour = readonly [red: number, green: number, blue: number];
@@ -20,11 +21,13 @@ uniform float share;
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform mat3 normalMatrix;
+uniform vec4 clipPlane;
 
 out vec3 seenFrom;
 out vec3 smoothNormal;
 out vec3 corner;
 out float shownPlace;
+out float clipDistance;
 
 void main() {
   vec4 inView = modelViewMatrix * vec4(towardsCoarser(position, coarserPosition), 1.0);
@@ -35,6 +38,7 @@ void main() {
   int which = gl_VertexID % 3;
   corner = vec3(which == 0, which == 1, which == 2);
   shownPlace = towardsCoarser(place, coarserPlace);
+  clipDistance = dot(clipPlane.xyz, towardsCoarser(position, coarserPosition)) + clipPlane.w;
 }
 `;
 
@@ -43,26 +47,31 @@ const fragmentShader = /* glsl */ `
 precision highp float;
 
 uniform sampler2D map;
+uniform vec3 belowColour;
 uniform vec3 aboveColour;
 uniform vec3 missingColour;
+uniform bool markBelow;
 uniform bool markAbove;
 uniform bool edges;
+uniform bool flatShading;
 
 in vec3 seenFrom;
 in vec3 smoothNormal;
 in vec3 corner;
 in float shownPlace;
+in float clipDistance;
 
 out vec4 colour;
 
 const vec3 lightFrom = normalize(vec3(0.35, 0.45, 1.0));
 const float darkest = 0.6;
 
-/** Interpolating equal numbers may miss them by rounding: no place is above 1 for that. */
+/** Interpolating equal numbers may miss them by rounding: no place is outside 0…1 for that. */
 const float rounding = 1e-5;
 
 vec3 lookUp(float place) {
-  if (place < -0.5) return missingColour;
+  if (place < ${0.5 * missingPlace}) return missingColour;
+  if (markBelow && place < -rounding) return belowColour;
   if (markAbove && place > 1.0 + rounding) return aboveColour;
   // The ends of the map are the centres of the first and the last texel.
   float texels = float(textureSize(map, 0).x);
@@ -79,7 +88,7 @@ bool isFront() {
 }
 
 float light() {
-  vec3 normal = edges || dot(smoothNormal, smoothNormal) == 0.0
+  vec3 normal = flatShading || dot(smoothNormal, smoothNormal) == 0.0
     ? normalize(cross(dFdx(seenFrom), dFdy(seenFrom)))
     : normalize(isFront() ? smoothNormal : -smoothNormal);
   return mix(darkest, 1.0, max(dot(normal, lightFrom), 0.0));
@@ -95,29 +104,35 @@ float edgeCover() {
 }
 
 void main() {
+  if (clipDistance < 0.0) discard;
   vec3 lit = lookUp(shownPlace) * light();
   if (edges) lit *= 1.0 - 0.55 * edgeCover();
   colour = vec4(lit, 1.0);
 }
 `;
 
-/** What every surface of a viewer has in common: look-up table, special colours, edges. */
+/** What the material is told, beside the surface itself. */
 export interface LookupUniforms {
   map: { value: Texture | null };
+  belowColour: { value: ShownColour };
   aboveColour: { value: ShownColour };
   missingColour: { value: ShownColour };
-  /** Whether places above 1 get `aboveColour` (error / bound) or the end of the map (values). */
+  /** Whether places below 0 and above 1 get colours of their own or those of the map's ends. */
+  markBelow: { value: boolean };
   markAbove: { value: boolean };
   edges: { value: boolean };
+  flatShading: { value: boolean };
+  /** Shown is where x, y, z (in the frame) and 1 times these four numbers add up to 0 or more. */
+  clipPlane: { value: Vector4 };
   /** Of a morph: how far it is on its way to the coarser level, 0…1. */
   share: { value: number };
 }
 
 /**
- * Draws triangles whose attribute `place` says where in the map each corner stands, 0…1; −1 at all three where there is
- * nothing to show. The place is interpolated and the colour looked up for every fragment: blending the colours of the
- * vertices would show colours that are not in the map. With MORPH position, normal and place have counterparts on a coarser
- * level, and are mixed by the uniform `share`.
+ * Draws triangles whose attribute `place` says where in the map each corner stands, 0…1; `missingPlace` at all three where
+ * there is nothing to show. The place is interpolated and the colour looked up for every fragment: blending the colours of
+ * the vertices would show colours that are not in the map. With MORPH position, normal and place have counterparts on a
+ * coarser level, and are mixed by the uniform `share`.
  */
 export function lookupMaterial(uniforms: LookupUniforms, defines: { MORPH?: true } = {}): RawShaderMaterial {
   return new RawShaderMaterial({

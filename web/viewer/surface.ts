@@ -2,6 +2,8 @@ import {
   BufferAttribute,
   BufferGeometry,
   DataTexture,
+  DoubleSide,
+  FrontSide,
   LinearFilter,
   Mesh,
   type RawShaderMaterial,
@@ -9,7 +11,9 @@ import {
   Scene,
   Sphere,
   Vector3,
+  type Vector4,
 } from 'three';
+import { type Look, planeInFrame } from './look.ts';
 import { type LookupUniforms, lookupMaterial, type ShownColour } from './lookup-material.ts';
 import type { SurfaceArrays } from './surface-arrays.ts';
 
@@ -17,9 +21,11 @@ import type { SurfaceArrays } from './surface-arrays.ts';
 export interface Lookup {
   /** Colours from place 0 to place 1: red, green, blue, alpha bytes of each. */
   table: Uint8Array;
-  /** Whether a place above 1 is a fault to be shown, or the end of the map. */
+  /** Whether a place above 1 is to be marked, or takes the end of the map. */
   markAbove: boolean;
   above: ShownColour;
+  /** Marks places below 0; without it they take the beginning of the map. */
+  below?: ShownColour;
   missing: ShownColour;
 }
 
@@ -34,11 +40,15 @@ export class Surface {
   readonly scene = new Scene();
   #uniforms: LookupUniforms = {
     map: { value: null },
+    belowColour: { value: [0, 0, 1] },
     aboveColour: { value: [1, 0, 1] },
     missingColour: { value: [0.5, 0.5, 0.5] },
+    markBelow: { value: false },
     markAbove: { value: false },
     edges: { value: false },
     share: { value: 0 },
+    flatShading: { value: false },
+    clipPlane: { value: planeInFrame(null, { centre: [0, 0, 0], radius: 1 }) },
   };
   #material: RawShaderMaterial = lookupMaterial(this.#uniforms);
   #morphing: RawShaderMaterial = lookupMaterial(this.#uniforms, { MORPH: true });
@@ -71,7 +81,7 @@ export class Surface {
     if (coarserPlaces) this.#replace('coarserPlace', coarserPlaces);
   }
 
-  set lookup({ table, markAbove, above, missing }: Lookup) {
+  set lookup({ table, markAbove, above, below, missing }: Lookup) {
     this.#uniforms.map.value?.dispose();
     const texture = new DataTexture(table, table.length / 4, 1, RGBAFormat);
     texture.magFilter = LinearFilter;
@@ -80,11 +90,22 @@ export class Surface {
     this.#uniforms.map.value = texture;
     this.#uniforms.markAbove.value = markAbove;
     this.#uniforms.aboveColour.value = above;
+    this.#uniforms.markBelow.value = below !== undefined;
+    if (below) this.#uniforms.belowColour.value = below;
     this.#uniforms.missingColour.value = missing;
   }
 
-  set edges(shown: boolean) {
-    this.#uniforms.edges.value = shown;
+  /** How it is drawn; a clipping plane, in the frame, is given apart. */
+  setLook({ edges, shading, doubleSided }: Look, clipPlane: Vector4): void {
+    this.#uniforms.edges.value = edges;
+    this.#uniforms.flatShading.value = shading === 'flat';
+    this.#uniforms.clipPlane.value = clipPlane;
+    for (const material of [this.#material, this.#morphing]) material.side = doubleSided ? DoubleSide : FrontSide;
+  }
+
+  /** Corners of the triangles that are drawn, nine numbers each, in the frame; null where nothing is. */
+  get corners(): Float32Array | null {
+    return (this.#mesh?.geometry.getAttribute('position').array as Float32Array | undefined) ?? null;
   }
 
   dispose(): void {

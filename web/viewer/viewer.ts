@@ -1,7 +1,9 @@
-import { WebGLRenderer } from 'three';
+import { Raycaster, Vector2, Vector3, type Vector4, WebGLRenderer } from 'three';
 import type { Frame } from './frame.ts';
 import { LinkedCameras } from './linked-cameras.ts';
+import { type Look, plainLook, planeInFrame } from './look.ts';
 import type { MorphCorners } from './morph-corners.ts';
+import { type Picked, PickTree } from './pick-tree.ts';
 import { SurfacePreparer } from './prepare.ts';
 import { MorphPreparer, type MorphSource } from './prepare-morph.ts';
 import { type Lookup, Surface } from './surface.ts';
@@ -10,9 +12,21 @@ import type { Triangles } from './surface-arrays.ts';
 /** Finer screens gain nothing that can be seen, and cost four times the fragments. */
 const largestPixelRatio = 2;
 
+/** How close to a point what covers it may lie, in radii of the frame: the point is on a surface itself. */
+const coverTolerance = 2e-3;
+
+/** Where a point of a surface is in its pane. */
+export interface ScreenPlace {
+  /** In CSS pixels from the pane's left and upper edge. */
+  x: number;
+  y: number;
+  /** Whether another part of the surface, or the clipping plane, hides it. */
+  hidden: boolean;
+}
+
 /**
  * Several surfaces, each in its pane, drawn on one canvas that lies under all panes. It draws only when something changed.
- * Panes are counted from 0. The constructor throws where the browser offers no WebGL 2.
+ * Panes are counted from 0; one without size is not drawn. The constructor throws where the browser offers no WebGL 2.
  *
  * @fires draw when the picture has changed: what lies over it may follow
  */
@@ -26,6 +40,11 @@ export class Viewer extends EventTarget {
   #morphPreparer = new MorphPreparer();
   /** What each pane was last asked to show. */
   #wanted: (Triangles | MorphSource | null)[];
+  /** For picking; made when it is first asked for, and dropped with the surface. */
+  #pickTrees: (PickTree | null)[];
+  #frame: Frame = { centre: [0, 0, 0], radius: 1 };
+  #look = plainLook;
+  #divider: number | null = null;
   #resizes = new ResizeObserver(() => this.#resize());
   #nextDraw = 0;
 
@@ -38,6 +57,7 @@ export class Viewer extends EventTarget {
     this.#renderer.setScissorTest(true);
     this.#surfaces = panes.map(() => new Surface());
     this.#wanted = panes.map(() => null);
+    this.#pickTrees = panes.map(() => null);
     this.cameras = new LinkedCameras(panes, () => this.#requestDraw());
     canvas.addEventListener('webglcontextrestored', this.#restored);
     for (const element of [canvas, ...panes]) this.#resizes.observe(element);
@@ -54,7 +74,9 @@ export class Viewer extends EventTarget {
     const arrays = surface && (await this.#preparer.prepare(surface, frame));
     if (this.#wanted[pane] !== surface) return;
     this.#surfaces[pane].draw(arrays, places());
-    this.#requestDraw();
+    this.#pickTrees[pane] = null;
+    this.#frame = frame;
+    this.#applyLook();
   }
 
   /**
@@ -78,7 +100,9 @@ export class Viewer extends EventTarget {
       { arrays: finer.arrays, places: finerPlaces },
       { arrays: coarser.arrays, places: coarserPlaces },
     );
-    this.#requestDraw();
+    this.#pickTrees[pane] = null;
+    this.#frame = frame;
+    this.#applyLook();
   }
 
   /** How far the morph of a pane is on its way to the coarser surface, 0…1. */
@@ -108,10 +132,52 @@ export class Viewer extends EventTarget {
     this.#requestDraw();
   }
 
-  /** Flat shading with edges, or smooth shading. */
-  set edges(shown: boolean) {
-    for (const surface of this.#surfaces) surface.edges = shown;
+  get look(): Look {
+    return this.#look;
+  }
+
+  set look(look: Look) {
+    this.#look = look;
+    this.#applyLook();
+  }
+
+  /**
+   * Where panes lie over each other, the share of their width, 0…1, at which the first one ends and the others begin; null
+   * where every pane shows all of its surface.
+   */
+  set divider(share: number | null) {
+    this.#divider = share;
     this.#requestDraw();
+  }
+
+  /** The place on the surface of a pane that is seen at a point of the window; null where there is none. */
+  pick(pane: number, clientX: number, clientY: number): Picked | null {
+    const { left, top, width, height } = this.#panes[pane].getBoundingClientRect();
+    const across = new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
+    const raycaster = new Raycaster();
+    raycaster.setFromCamera(across, this.#camera(pane));
+    return this.#pickTree(pane)?.first(raycaster.ray, this.#look.doubleSided, this.#clipPlane()) ?? null;
+  }
+
+  /** Where a point, in the mesh's unit, is seen in a pane; null where it is outside. */
+  screenPlace(pane: number, point: readonly number[]): ScreenPlace | null {
+    const { clientWidth, clientHeight } = this.#panes[pane];
+    const { centre, radius } = this.#frame;
+    const inFrame = new Vector3(...[0, 1, 2].map((axis) => (point[axis] - centre[axis]) / radius));
+    const { x, y, z } = inFrame.clone().project(this.#camera(pane));
+    if (Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) > 1) return null;
+    return {
+      x: ((1 + x) / 2) * clientWidth,
+      y: ((1 - y) / 2) * clientHeight,
+      hidden: this.#isHidden(pane, inFrame, new Vector2(x, y)),
+    };
+  }
+
+  /** What is seen at this moment, as an image of the given type; the background stays transparent. */
+  picture(type = 'image/png'): Promise<Blob | null> {
+    // Drawn anew: a canvas keeps its picture only until the next repaint.
+    this.#draw();
+    return new Promise((resolve) => this.#canvas.toBlob(resolve, type));
   }
 
   /** Gives back all memory; the viewer is of no use afterwards. */
@@ -125,6 +191,38 @@ export class Viewer extends EventTarget {
     this.cameras.dispose();
     for (const surface of this.#surfaces) surface.dispose();
     this.#renderer.dispose();
+  }
+
+  #applyLook(): void {
+    for (const surface of this.#surfaces) surface.setLook(this.#look, this.#clipPlane());
+    this.#requestDraw();
+  }
+
+  #clipPlane(): Vector4 {
+    return planeInFrame(this.#look.clip, this.#frame);
+  }
+
+  #camera(pane: number) {
+    const camera = this.cameras.camera(pane);
+    camera.updateMatrixWorld();
+    return camera;
+  }
+
+  #pickTree(pane: number): PickTree | null {
+    const { corners } = this.#surfaces[pane];
+    if (corners) this.#pickTrees[pane] ??= new PickTree(corners);
+    return this.#pickTrees[pane];
+  }
+
+  #isHidden(pane: number, point: Vector3, onScreen: Vector2): boolean {
+    const plane = this.#clipPlane();
+    if (plane.x * point.x + plane.y * point.y + plane.z * point.z + plane.w < -coverTolerance) return true;
+    const raycaster = new Raycaster();
+    raycaster.setFromCamera(onScreen, this.#camera(pane));
+    const seen = this.#pickTree(pane)?.first(raycaster.ray, this.#look.doubleSided, plane);
+    return (
+      seen !== undefined && seen !== null && seen.distance < raycaster.ray.origin.distanceTo(point) - coverTolerance
+    );
   }
 
   #restored = (): void => this.#requestDraw();
@@ -149,13 +247,24 @@ export class Viewer extends EventTarget {
 
   #draw(): void {
     const canvas = this.#canvas.getBoundingClientRect();
+    this.#renderer.setScissor(0, 0, canvas.width, canvas.height);
+    this.#renderer.clear();
     this.#panes.forEach((pane, index) => {
       const { left, bottom, width, height } = pane.getBoundingClientRect();
+      if (width === 0 || height === 0) return;
       const [x, y] = [left - canvas.left, canvas.bottom - bottom];
+      const [begin, end] = this.#shownOf(index, width);
       this.#renderer.setViewport(x, y, width, height);
-      this.#renderer.setScissor(x, y, width, height);
+      this.#renderer.setScissor(x + begin, y, end - begin, height);
       this.#renderer.render(this.#surfaces[index].scene, this.cameras.camera(index));
     });
     this.dispatchEvent(new Event('draw'));
+  }
+
+  /** From where to where across a pane its surface is drawn. */
+  #shownOf(pane: number, width: number): [begin: number, end: number] {
+    if (this.#divider === null) return [0, width];
+    const border = Math.round(this.#divider * width);
+    return pane === 0 ? [0, border] : [border, width];
   }
 }
