@@ -1,8 +1,11 @@
 // Feeds the core meshes, bounds and options that nobody would make on purpose. Whatever comes in, a reduction ends with a
-// fault that has a message, or with a surface of the same topology that keeps its promise as its own map tells it.
+// fault that has a message, or with a surface of the same topology that keeps its promise as its own map tells it; levels
+// of detail nest besides, and morphs between them hang together.
 //
 //     build/fuzz/tests/reduce_fuzz -max_total_time=60
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -134,22 +137,62 @@ void check_map(const Reduction& reduction) {
                 "crossings lie on their edges");
 }
 
+void check_reduction(const Mesh& mesh, const Reduction& reduction) {
+    for (const VariableReport& variable : reduction.report.variables) require(variable.ratio <= 1, "bounds are kept");
+    check_subset(mesh, reduction);
+    check_map(reduction);
+    require(validate(reduction.mesh).ok(), "the result is valid");
+    require(meshes::topology(mesh) == meshes::topology(reduction.mesh), "topology is kept");
+}
+
+/// Bounds that are looser by a factor; a bound that makes no sense stays as it is.
+Bounds looser(Bounds bounds, double factor) {
+    for (NamedBound& entry : bounds) entry.bound.value *= factor;
+    return bounds;
+}
+
+void check_morph(const Morph& morph) {
+    for (const MorphEnd* end : {&morph.finer, &morph.coarser}) {
+        require(end->triangles.size() == morph.triangles.size(), "every piece lies in a triangle");
+        for (const glm::uvec3& triangle : morph.triangles)
+            for (int i = 0; i < 3; ++i) require(triangle[i] < end->places.size(), "corners exist");
+        for (const MorphPlace& place : end->places) {
+            const glm::dvec3& w = place.weights;
+            require(std::abs(w.x + w.y + w.z - 1) < 1e-12, "places are mixtures");
+        }
+    }
+}
+
+void check_levels(const Mesh& mesh, const Bounds& bounds, const Options& options, double factor) {
+    Levels levels;
+    const LevelOptions all{options, true, true};
+    const Status status = reduce_levels(mesh, {bounds, looser(bounds, factor)}, all, levels);
+    if (!status.ok()) {
+        require(!status.message.empty(), "faults have a message");
+        return;
+    }
+    for (const Reduction& level : levels.levels) check_reduction(mesh, level);
+    for (const std::uint32_t vertex : levels.levels[1].vertices) {
+        const std::vector<std::uint32_t>& finer = levels.levels[0].vertices;
+        require(std::binary_search(finer.begin(), finer.end(), vertex), "levels nest");
+    }
+    for (const Morph& morph : levels.morphs) check_morph(morph);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Bytes bytes(data, size);
     const Mesh mesh = make_mesh(bytes);
     const Bounds bounds = {{"position", make_bound(bytes)}, {"*", make_bound(bytes)}};
+    const Options options = make_options(bytes, vertex_count(mesh));
     Reduction reduction;
-    const Status status = reduce(mesh, bounds, make_options(bytes, vertex_count(mesh)), reduction);
+    const Status status = reduce(mesh, bounds, options, reduction);
     if (!status.ok()) {
         require(!status.message.empty(), "faults have a message");
         return 0;
     }
-    for (const VariableReport& variable : reduction.report.variables) require(variable.ratio <= 1, "bounds are kept");
-    check_subset(mesh, reduction);
-    check_map(reduction);
-    require(validate(reduction.mesh).ok(), "the result is valid");
-    require(meshes::topology(mesh) == meshes::topology(reduction.mesh), "topology is kept");
+    check_reduction(mesh, reduction);
+    if (const std::uint8_t coarser = bytes.byte()) check_levels(mesh, bounds, options, 1 + coarser / 16.0);
     return 0;
 }
