@@ -1,6 +1,7 @@
 #include "linked_tracking.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "map_output.hpp"
 
@@ -60,20 +61,15 @@ private:
 
 } // namespace
 
-LinkedTracking::LinkedTracking(Tracking& from_original, const Rows& rows, const Surface& surface,
-                               const Options& options)
-    : from_original_(from_original), from_finer_(rows, surface, options), rows_(&rows), surface_(&surface),
+LinkedTracking::LinkedTracking(Tracking& from_original, Rows rows, const Surface& surface, const Options& options)
+    : from_original_(from_original), rows_(std::move(rows)), from_finer_(rows_, surface, options), surface_(&surface),
       finer_vertices_(kept_vertices(surface)) {}
 
 std::unique_ptr<RemovalAccounting> LinkedTracking::removals() {
     return std::make_unique<LinkedRemoval>(from_original_.removals(), from_finer_.removals());
 }
 
-void LinkedTracking::measure_in(const Rows& rows) {
-    from_original_.measure_in(rows);
-    from_finer_.measure_in(rows);
-    rows_ = &rows;
-}
+void LinkedTracking::measure_in(const Rows& rows) { from_original_.measure_in(rows); }
 
 void LinkedTracking::errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const {
     from_original_.errors(slot, ranges);
@@ -95,14 +91,14 @@ void LinkedTracking::extract(const std::vector<std::uint32_t>& renamed_vertex,
 }
 
 void LinkedTracking::extract_errors(LevelLink& link, Ticker& ticker) const {
-    link.errors.assign(rows_->groups().size(), 0);
+    link.errors.assign(rows_.groups().size(), 0);
     std::vector<ErrorRange> ranges;
     for (std::uint32_t slot = 0; slot < surface_->slot_count() && ticker.tick(1); ++slot) {
         if (!surface_->alive(slot)) continue;
         from_finer_.errors(slot, ranges);
-        for (const RowGroup& group : rows_->groups()) {
+        for (const RowGroup& group : rows_.groups()) {
             double& largest = link.errors[group.variable];
-            largest = std::max(largest, ranges[group.variable].largest * rows_->unit(group));
+            largest = std::max(largest, ranges[group.variable].largest * rows_.unit(group));
         }
     }
 }

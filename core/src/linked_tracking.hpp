@@ -12,11 +12,12 @@
 namespace meshbound {
 
 /// Two tracked maps at once, for a level that one can morph to (§4): the one from the original, which goes on, and one that
-/// begins at the surface as it is now, the finer level. Both keep the bounds. That of the finer level makes the morph a good
-/// one: nothing travels farther than the coarser bounds.
+/// begins at the surface as it is now, the finer level. The one keeps the bounds; the other keeps bounds of its own, so that
+/// nothing travels far in a morph.
 class LinkedTracking final : public Accounting {
 public:
-    LinkedTracking(Tracking& from_original, const Rows& rows, const Surface& surface, const Options& options);
+    /// `rows`: in the bounds of the map from the finer level.
+    LinkedTracking(Tracking& from_original, Rows rows, const Surface& surface, const Options& options);
 
     std::unique_ptr<RemovalAccounting> removals() override;
     void measure_in(const Rows& rows) override;
@@ -31,8 +32,8 @@ private:
     void extract_errors(LevelLink& link, Ticker& ticker) const;
 
     Tracking& from_original_;
+    Rows rows_;
     Tracking from_finer_;
-    const Rows* rows_;
     const Surface* surface_;
     std::vector<std::uint32_t> finer_vertices_; // the finer level's, rising
 };

@@ -74,9 +74,7 @@ void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Re
     set_bounds(bounds);
     if (!ticker_.ask()) return;
     const std::vector<char> candidate = find_candidates(surface_, options_.locked);
-    const std::unique_ptr<LinkedTracking> linked =
-        link ? std::make_unique<LinkedTracking>(dynamic_cast<Tracking&>(*accounting_), *rows_, surface_, options_)
-             : nullptr;
+    const std::unique_ptr<LinkedTracking> linked = link ? link_from_here(bounds) : nullptr;
     Sweeper sweeper(surface_, *rows_, linked ? static_cast<Accounting&>(*linked) : *accounting_, candidate);
     const double swept = span.start + sweeping_share * (span.end - span.start);
     const std::vector<double> limits = limits_of_sweeps(bounds);
@@ -84,6 +82,14 @@ void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Re
     if (!sweeper.sweep(limits, ticker_, span.start, swept)) return;
     count_refusals(surface_, sweeper, candidate, reduction.report);
     report_everything(reduction, linked.get(), link);
+}
+
+/// The finer level lies within its bounds of the original and the coarser one within its own: a map between them that
+/// leads by way of the original moves nothing farther than the two together, and that is what is asked of this one.
+std::unique_ptr<LinkedTracking> ReductionRun::link_from_here(std::vector<ResolvedBound> bounds) const {
+    for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i].absolute += reached_[i].absolute;
+    return std::make_unique<LinkedTracking>(dynamic_cast<Tracking&>(*accounting_), Rows(mesh_, bounds), surface_,
+                                            options_);
 }
 
 /// Everything that a finished result tells; incomplete where the ticker cancels.

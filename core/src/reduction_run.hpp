@@ -33,6 +33,7 @@ public:
 
 private:
     void set_bounds(const std::vector<ResolvedBound>& bounds);
+    std::unique_ptr<LinkedTracking> link_from_here(std::vector<ResolvedBound> bounds) const;
     std::vector<double> limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const;
     void sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction, const ProgressSpan& span,
                           LevelLink* link);

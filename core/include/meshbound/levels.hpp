@@ -14,8 +14,8 @@ namespace meshbound {
 
 struct LevelOptions {
     Options reduction;
-    /// Tracked errors only: keep the map from each level onto the next coarser one, to morph between them (see Morph). That
-    /// map keeps the bounds of the coarser level too, which may leave a few more triangles.
+    /// Tracked errors only: keep the map from each level onto the next coarser one, to morph between them (see Morph). It
+    /// moves nothing farther than the bounds of both levels together, which may leave a few more triangles.
     bool links = false;
     /// Tracked errors only: make the morphs between neighbours, from the original to the first level too. Needs links, so
     /// they are kept.
