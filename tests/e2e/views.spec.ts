@@ -106,3 +106,18 @@ test('saves a picture, with the legends or without', async () => {
   expect(withLegends.legend).toBeGreaterThan(0.1);
   expect((await saved('Picture, no legends')).legend).toBe(0);
 });
+
+test('keys work anywhere, and a list of them is at hand', async () => {
+  await page().locator('#original').press('h');
+  const list = page().getByRole('dialog', { name: 'Keys' });
+  await expect(list).toContainText('undo and redo');
+  await page().keyboard.press('h');
+  await expect(list).toBeHidden();
+  await page().getByRole('button', { name: 'Keys' }).click();
+  await list.getByRole('button', { name: 'Close' }).click();
+  await page().locator('#original').press('e');
+  await expect(page().getByLabel('Edges')).toBeChecked();
+  await page().getByLabel('Bound of pressure in percent').press('e');
+  await expect(page().getByLabel('Edges')).toBeChecked();
+  await page().getByLabel('Bound of pressure in percent').press('Escape');
+});

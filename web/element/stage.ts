@@ -375,7 +375,8 @@ export class Stage extends LitElement {
       const pane = this.renderRoot.querySelector(`#${side}`)?.getBoundingClientRect();
       // One over the other they have one legend.
       if (!meaning || !pane?.width || (this.settings.view === 'wipe' && index === reduced)) return;
-      drawLegend(context, meaning, { left: pane.left - stage.left, bottom: pane.bottom - stage.top, ink });
+      const [left, bottom] = [pane.left - stage.left, pane.bottom - stage.top].map(Math.round);
+      drawLegend(context, meaning, { left, bottom, ink });
     });
   }
 

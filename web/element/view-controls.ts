@@ -230,7 +230,7 @@ export class ViewControls extends LitElement {
     return html`
       <label>
         <span class="soft">View</span>
-        <select class="narrow" @change=${(event: Event) => this.#change({ view: chosen(event) })}>
+        <select class="middle" @change=${(event: Event) => this.#change({ view: chosen(event) })}>
           ${views.map(
             (view) =>
               html`<option value=${view} .selected=${live(view === this.settings.view)}>${viewNames[view]}</option>`,

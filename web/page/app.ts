@@ -22,7 +22,10 @@ import type { MenuItem } from './menu.ts';
 import './menu.ts';
 
 import type { Sample } from './samples.ts';
+import type { Toolbar } from './toolbar.ts';
 import './toolbar.ts';
+import type { KeySheet } from './key-sheet.ts';
+import './key-sheet.ts';
 
 /** How the kinds of files are offered. */
 const savedTexts: Record<SavedKind, { text: string; title: string }> = {
@@ -153,6 +156,7 @@ export class App extends LitElement {
         @look-from=${({ detail }: CustomEvent<ViewDirection>) => this.viewer.lookFrom(detail)}
       >
         ${this.#shareMenu()}
+        <button aria-label="Keys" title="Keys (h)" @click=${() => this.#toggleKeys()}>?</button>
       </meshbound-toolbar>
       <div class="bounds" role="region" aria-label="Bounds">
         <meshbound-bounds-panel
@@ -193,6 +197,7 @@ export class App extends LitElement {
       >
         ${this.#saveMenu(reduced !== null)}
       </meshbound-result-bar>
+      <meshbound-key-sheet></meshbound-key-sheet>
       <div class="drop ${this.#drop.hovering ? 'hovering' : ''}">Drop to open</div>
     `;
   }
@@ -303,15 +308,30 @@ export class App extends LitElement {
   }
 
   #pressKey = (event: KeyboardEvent): void => {
-    const typing = event.composedPath()[0] instanceof HTMLInputElement;
+    const target = event.composedPath()[0];
+    const typing = target instanceof HTMLInputElement && target.type === 'text';
+    if (typing || target instanceof HTMLSelectElement || event.altKey) return;
     const command = event.ctrlKey || event.metaKey;
-    if (!command || event.altKey || (typing && (event.composedPath()[0] as HTMLInputElement).type === 'text')) return;
-    const key = event.key.toLowerCase();
-    if (key === 'z' && !event.shiftKey) this.viewer.session.undo();
-    else if (key === 'y' || key === 'z') this.viewer.session.redo();
-    else return;
+    const key = `${command ? 'Ctrl ' : ''}${event.shiftKey ? 'Shift ' : ''}${event.key.toLowerCase()}`;
+    if (!(key in this.#keys)) return;
     event.preventDefault();
+    this.#keys[key]();
   };
+
+  /** What keys do anywhere on the page; those of a surface are its own. */
+  #keys: Record<string, () => void> = {
+    'Ctrl z': () => this.viewer.session.undo(),
+    'Ctrl y': () => this.viewer.session.redo(),
+    'Ctrl Shift z': () => this.viewer.session.redo(),
+    h: () => this.#toggleKeys(),
+    o: () => this.renderRoot.querySelector<Toolbar>('meshbound-toolbar')?.browse(),
+    e: () => this.#set({ edges: !this.viewer.edges }),
+    f: () => this.viewer.fit(),
+  };
+
+  #toggleKeys(): void {
+    this.renderRoot.querySelector<KeySheet>('meshbound-key-sheet')?.toggle();
+  }
 
   #changeBounds(change: BoundChange): void {
     const { session } = this.viewer;

@@ -108,7 +108,7 @@ export class Toolbar extends LitElement {
   #fileControls() {
     const open = this.surface?.address;
     return html`
-      <button @click=${this.#browse}>Open…</button>
+      <button @click=${this.browse}>Open…</button>
       <input type="file" hidden accept=${offeredEndings} @change=${this.#openFile} />
       <label>
         <span class="soft">Sample</span>
@@ -124,7 +124,8 @@ export class Toolbar extends LitElement {
     `;
   }
 
-  #browse(): void {
+  /** Asks for a file to open. */
+  browse(): void {
     this.renderRoot.querySelector<HTMLInputElement>('input[type=file]')?.click();
   }
 
