@@ -1,3 +1,6 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import type { Manifest } from '../../web/guide/reference.ts';
@@ -44,4 +47,17 @@ test('the page about the element shows it at work, and names everything that it 
     expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ target }) => target)])).toEqual([]);
   }
   expect(faults).toEqual([]);
+});
+
+/** Compressed: all that a viewer needs to show a PLY; what reads and writes the other formats is loaded when it is needed. */
+const budget = 450_000;
+
+test('what a viewer transfers keeps to its budget', () => {
+  const folder = new URL('../../dist/element/', import.meta.url).pathname;
+  const needed = readdirSync(folder).filter((name) => /\.(js|wasm)$/.test(name) && !/^(write|read-(?!ply))/.test(name));
+  expect(needed).toContain('meshbound-viewer.js');
+  const sizes = needed.map((name) => gzipSync(readFileSync(join(folder, name))).length);
+  const sum = sizes.reduce((total, size) => total + size, 0);
+  expect(sum).toBeGreaterThan(200_000);
+  expect(sum).toBeLessThan(budget);
 });
