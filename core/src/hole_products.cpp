@@ -24,8 +24,7 @@ void HoleProducts::enter(const Hole& hole, const std::vector<InnerVertex>& inner
     }
     ring_.resize(at(size_ * size_));
     for (int i = 0; i < size_; ++i)
-        for (int j = 0; j <= i; ++j)
-            ring_[at(i * size_ + j)] = ring_[at(j * size_ + i)] = dot(&local_[at(i * lanes)], &local_[at(j * lanes)]);
+        for (int j = 0; j <= i; ++j) ring_[at(i * size_ + j)] = ring_[at(j * size_ + i)] = dot(local(i), local(j));
     along_.resize(inner.size() * at(size_ + 1));
     known_.assign(inner.size(), 0);
 }
@@ -45,7 +44,7 @@ void HoleProducts::fill_vertex(std::size_t inner, double* out) {
     const double* centre = (*rows_)[hole_->candidate];
     vertex_.resize(at(lanes));
     for (int n = 0; n < lanes; ++n) vertex_[at(n)] = MeasuredRows::lane(row, n) - MeasuredRows::lane(centre, n);
-    for (int i = 0; i < size_; ++i) out[i] = dot(vertex_.data(), &local_[at(i * lanes)]);
+    for (int i = 0; i < size_; ++i) out[i] = dot(vertex_.data(), local(i));
     out[size_] = dot(vertex_.data(), vertex_.data());
 }
 

@@ -30,6 +30,8 @@ public:
 private:
     void fill_vertex(std::size_t inner, double* out);
     double dot(const Lane* p, const Lane* q) const;
+    /// Where every variable is free there are no lanes, and nothing is stored.
+    const Lane* local(int i) const { return local_.data() + static_cast<std::size_t>(i * rows_->lanes()); }
 
     const MeasuredRows* rows_;
     const Hole* hole_ = nullptr;

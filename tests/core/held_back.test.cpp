@@ -56,6 +56,14 @@ TEST_P(HeldBack, APeakStaysExactlyWhereItIsHigherThanTheBound) {
     EXPECT_EQ(gone.mesh.triangles.size(), 2U);
 }
 
+TEST_P(HeldBack, WhereEverythingIsFreeNoBoundHoldsAnythingBack) {
+    Mesh mesh = meshes::sphere(8);
+    meshes::add_scalar(mesh, "f", [](glm::dvec3 p) { return p.x; });
+    const Reduction reduction = reduce(mesh, {{"position", free_of_bound()}, {"*", free_of_bound()}});
+    EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 10); // not 4: folds hold back too
+    for (const VariableReport& variable : reduction.report.variables) EXPECT_EQ(variable.refused, 0U) << variable.name;
+}
+
 TEST_P(HeldBack, APeakOfAVariableStaysExactlyWhereItIsHigherThanItsBound) {
     const Mesh mesh = plane_with_peak_of_variable(5);
     EXPECT_TRUE(stays(reduce(mesh, {{"position", relative(1e-4)}, {"f", absolute(4.9)}}), middle));
