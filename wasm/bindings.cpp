@@ -94,6 +94,16 @@ val reduce_mesh_to_levels(const val& mesh, const val& options, const val& on_pro
     });
 }
 
+val segment_mesh(const val& mesh, const val& reduction, const val& on_progress) {
+    return guarded([&] {
+        const Mesh input = mesh_from(mesh);
+        const Reduction output = mapped_reduction_from(reduction);
+        Segmentation segmentation;
+        segment({input, output}, segmentation, progress_from(on_progress));
+        return success(segmentation_to(segmentation));
+    });
+}
+
 val inspect_mesh(const val& mesh) {
     return guarded([&] {
         const Mesh input = mesh_from(mesh);
@@ -114,6 +124,7 @@ val inspect_mesh(const val& mesh) {
 EMSCRIPTEN_BINDINGS(meshbound) {
     emscripten::function("reduce", &reduce_mesh);
     emscripten::function("reduceLevels", &reduce_mesh_to_levels);
+    emscripten::function("segment", &segment_mesh);
     emscripten::function("inspect", &inspect_mesh);
 }
 

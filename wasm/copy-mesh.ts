@@ -1,5 +1,5 @@
 import { MeshboundError } from './errors.ts';
-import type { Mesh, Variable } from './types.ts';
+import type { Mesh, SurfaceMap, Variable } from './types.ts';
 
 function checkValues(values: unknown, what: string): void {
   if (!(values instanceof Float32Array || values instanceof Float64Array)) {
@@ -28,4 +28,15 @@ export function checkMesh({ position, triangles, variables }: Mesh): void {
 export function copyMesh({ position, triangles, variables }: Mesh): Mesh {
   const copyVariable = ({ name, components, values }: Variable) => ({ name, components, values: values.slice() });
   return { position: position.slice(), triangles: triangles.slice(), variables: variables.map(copyVariable) };
+}
+
+/** The same of a map. */
+export function copyMap(map: SurfaceMap): SurfaceMap {
+  return {
+    triangle: map.triangle.slice(),
+    barycentric: map.barycentric.slice(),
+    crossingEdges: map.crossingEdges.slice(),
+    crossingPlaces: map.crossingPlaces.slice(),
+    crossingRightward: map.crossingRightward.slice(),
+  };
 }

@@ -86,6 +86,25 @@ Cost cost_from(const std::string& name) {
     refuse_option("cost", name);
 }
 
+SurfaceMap map_from(const val& map) {
+    const auto triangle = vector_from<std::uint32_t>(map["triangle"]);
+    const auto barycentric = vector_from<double>(map["barycentric"]);
+    const auto edges = vector_from<std::uint32_t>(map["crossingEdges"]);
+    const auto places = vector_from<double>(map["crossingPlaces"]);
+    const auto rightward = vector_from<std::uint8_t>(map["crossingRightward"]);
+    SurfaceMap result;
+    for (std::size_t i = 0; i < triangle.size(); ++i) {
+        const double* shares = &barycentric[3 * i];
+        result.places.push_back({triangle[i], {shares[0], shares[1], shares[2]}});
+    }
+    for (std::size_t i = 0; i < rightward.size(); ++i) {
+        const std::uint32_t* ends = &edges[4 * i];
+        result.crossings.push_back(
+            {{ends[0], ends[1]}, places[2 * i], {ends[2], ends[3]}, places[2 * i + 1], rightward[i] != 0});
+    }
+    return result;
+}
+
 } // namespace
 
 Mesh mesh_from(const val& mesh) {
@@ -149,6 +168,14 @@ LevelOptions level_options_from(const val& options) {
     LevelOptions result;
     result.reduction = options_from(options);
     read_flag(options, "morphs", result.morphs);
+    return result;
+}
+
+Reduction mapped_reduction_from(const val& reduction) {
+    Reduction result;
+    result.mesh = mesh_from(reduction["mesh"]);
+    result.vertices = vector_from<std::uint32_t>(reduction["vertices"]);
+    result.map = map_from(reduction["map"]);
     return result;
 }
 

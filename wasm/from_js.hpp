@@ -29,4 +29,7 @@ LevelOptions level_options_from(const emscripten::val& options);
 /// The rest of `ReduceOptions`; what is left out keeps the core's default. Throws ShapeError.
 Options options_from(const emscripten::val& options);
 
+/// Of a `Reduction` its mesh, vertices and map: what says where the mesh that was reduced went.
+Reduction mapped_reduction_from(const emscripten::val& reduction);
+
 } // namespace meshbound::js

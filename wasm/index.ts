@@ -1,7 +1,7 @@
-import { checkMesh, copyMesh } from './copy-mesh.ts';
+import { checkMesh, copyMap, copyMesh } from './copy-mesh.ts';
 import type { Inspection } from './inspection.ts';
 import { TaskQueue } from './task-queue.ts';
-import type { Levels, LevelsOptions, Mesh, ReduceOptions, Reduction } from './types.ts';
+import type { Levels, LevelsOptions, Mesh, ReduceOptions, Reduction, Segmentation } from './types.ts';
 
 export { type ErrorCode, type Failure, MeshboundError } from './errors.ts';
 export type { Inspection, VariableExtent } from './inspection.ts';
@@ -46,6 +46,32 @@ export async function reduceLevels(mesh: Mesh, options: LevelsOptions): Promise<
     options: { ...rest, locked: locked?.slice() },
   } as const;
   return (await queue.run(task, { signal, onProgress })) as Levels;
+}
+
+/**
+ * Cuts a mesh into pieces that the map of its reduction takes linearly into one triangle each: what tells of any point where
+ * it went, and from where it came. `reduction` is that of this mesh, with tracked errors: else there is no map, and a
+ * TypeError says so. The arrays stay the caller's. Rejects as `reduce` does.
+ */
+export async function segment(
+  mesh: Mesh,
+  reduction: Reduction,
+  { signal }: { signal?: AbortSignal } = {},
+): Promise<Segmentation> {
+  const { vertices, map } = reduction;
+  checkMesh(mesh);
+  if (!map) throw new TypeError('The reduction has no map: only tracked errors make one.');
+  if (3 * map.triangle.length !== mesh.position.length) throw new TypeError('The reduction is not one of this mesh.');
+  const task = {
+    kind: 'segment',
+    mesh: copyMesh({ ...mesh, variables: [] }),
+    reduction: {
+      mesh: copyMesh({ ...reduction.mesh, variables: [] }),
+      vertices: vertices.slice(),
+      map: copyMap(map),
+    },
+  } as const;
+  return (await queue.run(task, { signal })) as Segmentation;
 }
 
 /**

@@ -1,6 +1,6 @@
 import type { Failure } from './errors.ts';
 import type { Inspection } from './inspection.ts';
-import type { Levels, LevelsOptions, Mesh, ReduceOptions, Reduction } from './types.ts';
+import type { Levels, LevelsOptions, MappedReduction, Mesh, ReduceOptions, Reduction, Segmentation } from './types.ts';
 
 /** The options that cross to the worker; signal and progress stay with the caller. */
 export type CoreOptions = Omit<ReduceOptions, 'signal' | 'onProgress'>;
@@ -11,10 +11,11 @@ export type CoreLevelsOptions = Omit<LevelsOptions, 'signal' | 'onProgress'>;
 export type Task =
   | { kind: 'reduce'; mesh: Mesh; options: CoreOptions }
   | { kind: 'reduceLevels'; mesh: Mesh; options: CoreLevelsOptions }
+  | { kind: 'segment'; mesh: Mesh; reduction: MappedReduction }
   | { kind: 'inspect'; mesh: Mesh };
 
 /** What a task gives when it succeeds. */
-export type Value = Reduction | Levels | Inspection;
+export type Value = Reduction | Levels | Segmentation | Inspection;
 
 /** What a task gives: a value, or a fault with its place. */
 export type Outcome<Value> = { ok: true; value: Value } | { ok: false; failure: Failure };

@@ -200,6 +200,18 @@ val levels_to(Levels levels, double seconds) {
     return object(field("levels", reductions), field("morphs", morphs));
 }
 
+val segmentation_to(const Segmentation& segmentation) {
+    std::vector<std::uint32_t> originals, reduced;
+    originals.reserve(segmentation.pieces.size());
+    reduced.reserve(segmentation.pieces.size());
+    for (const SegmentationCell& cell : segmentation.cells) {
+        originals.insert(originals.end(), cell.corner_count - 2, cell.original);
+        reduced.insert(reduced.end(), cell.corner_count - 2, cell.reduced);
+    }
+    return object(field("pieces", triangles_to(segmentation.pieces)), field("original", array_to(originals)),
+                  field("reduced", array_to(reduced)), field("foldedPieces", number(segmentation.folded_pieces)));
+}
+
 val inspection_to(const Mesh& mesh, const Oddities& oddities, const std::vector<ResolvedBound>& bounds) {
     val variables = val::array();
     variables.call<void>("push", extent_to(mesh.position, bounds[0]));

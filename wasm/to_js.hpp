@@ -13,6 +13,9 @@ emscripten::val reduction_to(const Reduction& reduction, double seconds);
 /// `Levels` of wasm/types.ts. What it hands over it frees, so that nothing large is held twice.
 emscripten::val levels_to(Levels levels, double seconds);
 
+/// A `Segmentation` of wasm/types.ts: its pieces, without the cells that they make up.
+emscripten::val segmentation_to(const Segmentation& segmentation);
+
 /// An `Inspection` of wasm/inspection.ts. `bounds` has position first, then the mesh's variables.
 emscripten::val inspection_to(const Mesh& mesh, const Oddities& oddities, const std::vector<ResolvedBound>& bounds);
 

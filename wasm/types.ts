@@ -126,6 +126,28 @@ export interface Reduction {
   report: Report;
 }
 
+/** Of a reduction what says where the mesh went that was reduced: the triangles, where they come from, and the map. */
+export type MappedReduction = Pick<Reduction, 'mesh' | 'vertices'> & { map: SurfaceMap };
+
+/**
+ * The mutual segmentation of a mesh and its reduction: the mesh cut into triangular pieces, each of which lies in one triangle
+ * of either surface and is mapped linearly from the one into the other, all variables included. So it tells of every point
+ * where the map takes it, exactly, and of every point of the reduced surface where it comes from.
+ *
+ * A corner of a piece is named by one number: below the number of vertices of the mesh it is that vertex, at
+ * `map.triangle` and `map.barycentric`; from there on it is a crossing of the map, counted from 0.
+ */
+export interface Segmentation {
+  /** Three corners a piece. */
+  pieces: Uint32Array;
+  /** For each piece the triangle of the mesh that it is a part of; rising. */
+  original: Uint32Array;
+  /** For each piece the triangle of the reduced mesh that it lands in. */
+  reduced: Uint32Array;
+  /** Pieces that run clockwise in the reduced mesh. */
+  foldedPieces: number;
+}
+
 /** One of the two levels that a morph leads between. */
 export interface MorphEnd {
   /** At the corners of the morph. */

@@ -15,6 +15,9 @@ function perform(core: Core, { task, cancel }: Request, port: ParentPort): Answe
   if (task.kind === 'reduceLevels') {
     return { outcome: core.reduceLevels(task.mesh, task.options, goOn) };
   }
+  if (task.kind === 'segment') {
+    return { outcome: core.segment(task.mesh, task.reduction, goOn) };
+  }
   return { outcome: core.reduce(task.mesh, task.options, goOn) };
 }
 
