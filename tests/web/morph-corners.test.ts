@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { reduceLevels } from '../../wasm/index.ts';
+import { faceNormals } from '../../web/viewer/corner-normals.ts';
 import { frameOf } from '../../web/viewer/frame.ts';
 import { carriedOver, type MorphEnd, morphArrays, morphCorners } from '../../web/viewer/morph-corners.ts';
 import { surfaceArrays } from '../../web/viewer/surface-arrays.ts';
@@ -66,6 +67,50 @@ describe('a morph as it is drawn', async () => {
         expect(farthest).toBeLessThan(1e-6);
       });
     });
+  });
+
+  test('has no cracks: a corner stands at one place, whichever triangle it is seen from, to the last bit', () => {
+    morphs.forEach((morph, i) => {
+      [morph.finer, morph.coarser].forEach((end, side) => {
+        const at = morphCorners(morph.triangles, end, surfaces[i + side].triangles);
+        const { corners } = morphArrays(drawn[i + side], at);
+        const seen = new Map<number, string>();
+        const torn = morph.triangles.filter((corner, n) => {
+          const place = corners.subarray(3 * n, 3 * n + 3).join();
+          const before = seen.get(corner) ?? place;
+          seen.set(corner, place);
+          return before !== place;
+        });
+        expect(torn).toHaveLength(0);
+      });
+    });
+  });
+
+  test('begins and ends at the very numbers with which the levels are drawn', () => {
+    morphs.forEach((morph, i) => {
+      [morph.finer, morph.coarser].forEach((end, side) => {
+        const level = surfaces[i + side];
+        const { corners } = morphArrays(drawn[i + side], morphCorners(morph.triangles, end, level.triangles));
+        const places = new Set(Array.from(morph.triangles, (_, n) => corners.subarray(3 * n, 3 * n + 3).join()));
+        const exact = drawn[i + side].corners;
+        const missing = level.triangles.filter((_, n) => !places.has(exact.subarray(3 * n, 3 * n + 3).join()));
+        expect(missing).toHaveLength(0);
+      });
+    });
+  });
+
+  test('is lit and outlined as the triangles of the levels are', () => {
+    const { triangles, coarser } = morphs[1];
+    const at = morphCorners(triangles, coarser, surfaces[2].triangles);
+    const { faces, within } = morphArrays(drawn[2], at);
+    const { unit } = faceNormals(drawn[2].corners);
+    const hosts = Array.from(triangles, (_, n) => at.triangle[Math.floor(n / 3)]);
+    const normals = hosts.flatMap((host) => Array.from(unit.subarray(3 * host, 3 * host + 3)));
+    expect(normals.filter((part, n) => !(Math.abs(faces[n] / 32767 - part) < 1e-4))).toEqual([]);
+    expect(at.weights.filter((weight, n) => !(Math.abs(within[n] / 65535 - weight) < 1e-4))).toHaveLength(0);
+    // What lies on an edge lies on it exactly, for the edge is drawn there.
+    expect(within.every((weight, n) => weight > 0 || at.weights[n] < 1e-5)).toBe(true);
+    expect(at.weights.every((weight, n) => weight > 0 || within[n] === 0)).toBe(true);
   });
 
   test('has values that the corners of the core have, too', () => {

@@ -31,7 +31,7 @@ export function cornerNormals(
 }
 
 /** Face normals twice: as long as twice the triangle's area, and of length 1. */
-function faceNormals(corners: Float32Array): { area: Float64Array; unit: Float64Array } {
+export function faceNormals(corners: Float32Array): { area: Float64Array; unit: Float64Array } {
   const area = new Float64Array(corners.length / 3);
   for (let first = 0, out = 0; first < corners.length; first += 9, out += 3) {
     const [ux, uy, uz] = difference(corners, first + 3, first);

@@ -9,10 +9,17 @@ in vec3 position;
 in vec3 normal;
 in float place;
 #ifdef MORPH
+in vec3 face;
+in vec3 within;
 in vec3 coarserPosition;
 in vec3 coarserNormal;
 in float coarserPlace;
+in vec3 coarserFace;
+in vec3 coarserWithin;
 uniform float share;
+out vec3 faceNormal;
+out vec3 sight;
+out vec3 coarserCorner;
 #define towardsCoarser(finer, coarser) mix(finer, coarser, share)
 #else
 #define towardsCoarser(finer, coarser) finer
@@ -34,9 +41,17 @@ void main() {
   gl_Position = projectionMatrix * inView;
   seenFrom = inView.xyz;
   smoothNormal = normalMatrix * towardsCoarser(normal, coarserNormal);
+#ifdef MORPH
+  faceNormal = normalMatrix * towardsCoarser(face, coarserFace);
+  bool perspective = projectionMatrix[2][3] == -1.0;
+  sight = perspective ? inView.xyz : vec3(0.0, 0.0, -1.0);
+  corner = within;
+  coarserCorner = coarserWithin;
+#else
   // No vertex is shared between triangles, so its number says which corner of the triangle it is.
   int which = gl_VertexID % 3;
   corner = vec3(which == 0, which == 1, which == 2);
+#endif
   shownPlace = towardsCoarser(place, coarserPlace);
   clipDistance = dot(clipPlane.xyz, towardsCoarser(position, coarserPosition)) + clipPlane.w;
 }
@@ -60,6 +75,12 @@ in vec3 smoothNormal;
 in vec3 corner;
 in float shownPlace;
 in float clipDistance;
+#ifdef MORPH
+in vec3 faceNormal;
+in vec3 sight;
+in vec3 coarserCorner;
+uniform float share;
+#endif
 
 out vec4 colour;
 
@@ -81,26 +102,46 @@ vec3 lookUp(float place) {
 /** What a morph folds lies back to front among the rest of its surface, and is lit as that is. */
 bool isFront() {
 #ifdef MORPH
-  return dot(smoothNormal, seenFrom) <= 0.0;
+  return dot(faceNormal, sight) <= 0.0;
 #else
   return gl_FrontFacing;
 #endif
 }
 
+/** Of a morph that of the levels' triangles: its own pieces stand this way and that between them, and would glitter. */
+vec3 flatNormal() {
+#ifdef MORPH
+  if (dot(faceNormal, faceNormal) > 0.0) return normalize(isFront() ? faceNormal : -faceNormal);
+#endif
+  return normalize(cross(dFdx(seenFrom), dFdy(seenFrom)));
+}
+
 float light() {
   vec3 normal = flatShading || dot(smoothNormal, smoothNormal) == 0.0
-    ? normalize(cross(dFdx(seenFrom), dFdy(seenFrom)))
+    ? flatNormal()
     : normalize(isFront() ? smoothNormal : -smoothNormal);
   return mix(darkest, 1.0, max(dot(normal, lightFrom), 0.0));
 }
 
-/** How much of this fragment an edge covers; edges of triangles of few pixels fade, or they would cover everything. */
-float edgeCover() {
-  vec3 perPixel = fwidth(corner);
-  vec3 pixels = corner / max(perPixel, vec3(1e-9));
+/**
+ * How much of this fragment an edge covers, from the weights of the triangle's corners; edges of triangles of few pixels
+ * fade, or they would cover everything. Where a weight does not change, all is edge, which a morph has opened.
+ */
+float edgeCover(vec3 weights) {
+  vec3 perPixel = fwidth(weights);
+  vec3 pixels = mix(weights / max(perPixel, vec3(1e-9)), vec3(1e9), equal(perPixel, vec3(0.0)));
   float nearest = min(min(pixels.x, pixels.y), pixels.z);
   float narrowness = max(max(perPixel.x, perPixel.y), perPixel.z);
   return (1.0 - smoothstep(0.1, 1.1, nearest)) * (1.0 - smoothstep(0.15, 0.6, narrowness));
+}
+
+/** Of a morph the edges of the finer level, which give way to those of the coarser one. */
+float edgeCover() {
+#ifdef MORPH
+  return mix(edgeCover(corner), edgeCover(coarserCorner), share);
+#else
+  return edgeCover(corner);
+#endif
 }
 
 void main() {
@@ -132,7 +173,8 @@ export interface LookupUniforms {
  * Draws triangles whose attribute `place` says where in the map each corner stands, 0…1; `missingPlace` at all three where
  * there is nothing to show. The place is interpolated and the colour looked up for every fragment: blending the colours of
  * the vertices would show colours that are not in the map. With MORPH position, normal and place have counterparts on a
- * coarser level, and are mixed by the uniform `share`.
+ * coarser level, and are mixed by the uniform `share`; each corner also knows the normal of the level's triangle that it
+ * lies in (`face`), and its weights there (`within`), so that shading and edges are the levels', not those of the pieces.
  */
 export function lookupMaterial(uniforms: LookupUniforms, defines: { MORPH?: true } = {}): RawShaderMaterial {
   return new RawShaderMaterial({

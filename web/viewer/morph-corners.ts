@@ -1,3 +1,4 @@
+import { faceNormals } from './corner-normals.ts';
 import type { SurfaceArrays } from './surface-arrays.ts';
 
 /** How the triangles of a morph lie on one of the two levels that it leads between. */
@@ -58,7 +59,19 @@ export function carriedOver(numbers: Float32Array, size: number, { triangle, wei
   return carried;
 }
 
-/** The morph as it is drawn at one of its ends, from the level as it is drawn: the same picture, in more triangles. */
-export function morphArrays({ corners, normals }: SurfaceArrays, at: MorphCorners): SurfaceArrays {
-  return { corners: carriedOver(corners, 3, at), normals: carriedOver(normals, 3, at) };
+/** A morph as it is drawn at one of its ends. The numbers that only light and edges need are rounded: they are many. */
+export interface MorphArrays extends SurfaceArrays {
+  /** Normals of the level's triangles, one a corner, each part in 1/32767. */
+  faces: Int16Array<ArrayBuffer>;
+  /** The weights of each corner in the level's triangle, in 1/65535. */
+  within: Uint16Array<ArrayBuffer>;
+}
+
+/** From the level as it is drawn: the same picture, in more triangles. */
+export function morphArrays({ corners, normals }: SurfaceArrays, at: MorphCorners): MorphArrays {
+  const { unit } = faceNormals(corners);
+  const { triangle, weights } = at;
+  const faces = Int16Array.from(weights, (_, i) => Math.round(32767 * unit[3 * triangle[Math.floor(i / 9)] + (i % 3)]));
+  const within = Uint16Array.from(weights, (weight) => Math.round(65535 * weight));
+  return { corners: carriedOver(corners, 3, at), normals: carriedOver(normals, 3, at), faces, within };
 }

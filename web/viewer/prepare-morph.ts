@@ -1,7 +1,7 @@
 import { fromAnyHost } from '../../workers/from-any-host.ts';
 import type { Frame } from './frame.ts';
-import type { MorphCorners, MorphEnd } from './morph-corners.ts';
-import type { SurfaceArrays, Triangles } from './surface-arrays.ts';
+import type { MorphArrays, MorphCorners, MorphEnd } from './morph-corners.ts';
+import type { Triangles } from './surface-arrays.ts';
 
 /** A morph with the two surfaces that it leads between. */
 export interface MorphSource {
@@ -13,7 +13,7 @@ export interface MorphSource {
 
 /** One end of a morph, ready to draw, and where its corners lie on the surface there. */
 export interface PreparedEnd {
-  arrays: SurfaceArrays;
+  arrays: MorphArrays;
   at: MorphCorners;
 }
 

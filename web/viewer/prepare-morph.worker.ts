@@ -15,6 +15,8 @@ addEventListener('message', ({ data: { id, morph, frame } }: MessageEvent<Prepar
   const buffers = [finer, coarser].flatMap(({ arrays, at }) => [
     arrays.corners.buffer,
     arrays.normals.buffer,
+    arrays.faces.buffer,
+    arrays.within.buffer,
     at.weights.buffer as ArrayBuffer,
   ]);
   postMessage(answer, { transfer: buffers });

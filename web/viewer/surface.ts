@@ -15,6 +15,7 @@ import {
 } from 'three';
 import { type Look, planeInFrame } from './look.ts';
 import { type LookupUniforms, lookupMaterial, type ShownColour } from './lookup-material.ts';
+import type { MorphArrays } from './morph-corners.ts';
 import type { SurfaceArrays } from './surface-arrays.ts';
 
 /** How places become colours. */
@@ -29,9 +30,9 @@ export interface Lookup {
   missing: ShownColour;
 }
 
-/** A surface, or an end of a morph, with the place in the map of each of its corners. */
+/** An end of a morph, with the place in the map of each of its corners. */
 export interface DrawnEnd {
-  arrays: SurfaceArrays;
+  arrays: MorphArrays;
   places: Float32Array;
 }
 
@@ -64,9 +65,13 @@ export class Surface {
   drawMorph(finer: DrawnEnd, coarser: DrawnEnd): void {
     this.#remove();
     const geometry = geometryOf(finer.arrays, finer.places);
+    geometry.setAttribute('face', new BufferAttribute(finer.arrays.faces, 3, true));
+    geometry.setAttribute('within', new BufferAttribute(finer.arrays.within, 3, true));
     geometry.setAttribute('coarserPosition', new BufferAttribute(coarser.arrays.corners, 3));
     geometry.setAttribute('coarserNormal', new BufferAttribute(coarser.arrays.normals, 3));
     geometry.setAttribute('coarserPlace', new BufferAttribute(coarser.places, 1));
+    geometry.setAttribute('coarserFace', new BufferAttribute(coarser.arrays.faces, 3, true));
+    geometry.setAttribute('coarserWithin', new BufferAttribute(coarser.arrays.within, 3, true));
     this.#add(geometry, this.#morphing);
   }
 
