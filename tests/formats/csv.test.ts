@@ -38,6 +38,12 @@ describe('a CSV file beside a surface', () => {
     }
   });
 
+  it('may have a hundred thousand columns', async () => {
+    const columns = Array.from({ length: 50_000 }, (_, i) => `c${i}_0,c${i}_1`).join(',');
+    const row = Array(100_000).fill('1').join(',');
+    expect((await add([columns, row, row, row, row].join('\n'))).variables).toHaveLength(50_000);
+  });
+
   it('may be packed by gzip', async () => {
     const packed = new Uint8Array(gzipSync('p\n1\n2\n3\n4\n'));
     expect((await addVariables(surface, packed)).mesh.variables[1].values).toEqual(Float64Array.of(1, 2, 3, 4));

@@ -45,7 +45,7 @@ describe('GLB by the project', () => {
     const mesh = smallMesh([...singles.filter(({ name }) => name !== 'color'), unit, color, many]);
     const labels = {
       units: { position: 'mm', stress: 'Pa', 'Mach number': '1' },
-      componentNames: { velocity: ['u', 'v', 'w'] },
+      componentNames: { position: ['x', 'r', 'θ'], velocity: ['u', 'v', 'w'] },
     };
     const back = await read(await writeSurface('glb', mesh, labels));
     expect(fingerprint(back.mesh)).toEqual(fingerprint(mesh));
@@ -331,6 +331,13 @@ describe('a hostile glTF file', () => {
     ],
     ['with numbers for extensions', scene([square, corners], [good], { extensionsUsed: [1] }), 'bad_header', 'names'],
     ['with a number for a URI', scene([square, corners], [good], { buffers: [{ uri: 1 }] }), 'bad_header', 'buffer 0'],
+    [
+      'with a second buffer that is nowhere',
+      scene([square, corners], [good], { buffers: [{ byteLength: 60 }, { byteLength: 60 }] }),
+      'truncated',
+      'Buffer 1',
+      'has 0',
+    ],
     ['with garbage for base64', textScene(dataUri().replace(/.{8}$/, '!!!!!!!!')), 'corrupt', 'buffer 0'],
     ['with too little base64', textScene(dataUri().slice(0, -8)), 'truncated', 'buffer 0'],
     ['with data that is not base64', textScene('data:,hello'), 'unsupported_feature', 'buffer 0'],

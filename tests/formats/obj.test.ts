@@ -24,6 +24,18 @@ describe('OBJ', () => {
     expect(losses).toMatch(/^OBJ has no place for the variables “pressure”.*“color”/);
   });
 
+  it('says that units and names of components have no place', async () => {
+    const uv = { name: 'uv', components: 2, values: new Float32Array(8) };
+    const labels = { units: { position: 'mm', p: 'Pa' }, componentNames: { uv: ['u', 'v'] } };
+    expect(await lossesOf('obj', smallMesh([uv]), labels)).toEqual([
+      'OBJ has no place for the units of “position”.',
+      'OBJ has no place for the component names of “uv”.',
+    ]);
+    for (const format of ['ply', 'vtp', 'vtk', 'glb'] as const) {
+      expect(await lossesOf(format, smallMesh([uv]), labels)).toEqual([]);
+    }
+  });
+
   it('reads polygons, indices from the end, lines that go on, comments', async () => {
     const { mesh, notes } = await read(`# by hand\n${points}f 1 2 3 4\nf -4 -3 \\\n -1\n`);
     expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 2, 3, 0, 1, 3]);
@@ -76,6 +88,7 @@ describe('OBJ', () => {
     for (const lost of [
       'materials',
       'object names',
+      'groups',
       'lines',
       'uv, since not every corner',
       'colours, since not every point',

@@ -40,6 +40,11 @@ describe('STL', () => {
     expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 3, 2]);
   });
 
+  it('is recognised in capitals', async () => {
+    const { format, notes } = await readSurface('mesh', bytesOf(`SOLID\n${facet.toUpperCase()}ENDSOLID\n`));
+    expect({ format, notes }).toEqual({ format: 'stl', notes: [] });
+  });
+
   it('is told by its size although it begins with “solid”, and names colours as lost', async () => {
     const file = await writeSurface('stl', smallMesh());
     file.set(bytesOf('solid '));

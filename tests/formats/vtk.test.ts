@@ -75,6 +75,16 @@ describe('legacy VTK attributes', () => {
     expect(summary).toContain('point data “label”; cell data “c”');
   });
 
+  it('keep the names of their components, of which some may have none', async () => {
+    const labels =
+      'METADATA\nCOMPONENT_NAMES\nr\n\nz\nINFORMATION 1\nNAME UNITS_LABEL LOCATION vtkDataArray\nDATA m\n\n';
+    const text = `${geometry}POINT_DATA 3\nFIELD f 2\na 3 3 int\n1 2 3 4 5 6 7 8 9\n${labels}b 1 3 int\n1 2 3\n`;
+    const { mesh, units, componentNames } = await readSurface('', bytesOf(text));
+    expect(mesh.variables.map(({ name }) => name)).toEqual(['a', 'b']);
+    expect({ ...componentNames }).toEqual({ a: ['r', '1', 'z'] });
+    expect({ ...units }).toEqual({ a: 'm' });
+  });
+
   it('may be named like keywords', async () => {
     const text = 'FIELD f 3\nMETADATA 1 3 int\n1 2 3\nPOINTS 1 3 int\n1 2 3\n__proto__ 1 3 int\n1 2 3\n';
     expect((await read(text)).variables).toEqual(['METADATA 1 2 3', 'POINTS 1 2 3', '__proto__ 1 2 3']);

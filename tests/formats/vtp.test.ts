@@ -260,7 +260,15 @@ describe('a VTP file', () => {
       'Extract Surface',
     ],
     ['that refers to others', vtp('', 'type="PPolyData"'), 'unsupported_format', 'refers to other files'],
-    ['packed by LZ4', vtp(piece(), 'type="PolyData" compressor="vtkLZ4DataCompressor"'), 'unsupported_feature', 'LZ4'],
+    [
+      'packed by LZ4',
+      vtp(
+        piece({ p: '<DataArray type="Float32" Name="p" format="binary">AAAA</DataArray>' }),
+        'type="PolyData" compressor="vtkLZ4DataCompressor"',
+      ),
+      'unsupported_feature',
+      'LZ4',
+    ],
     ['of unknown header type', vtp(piece(), 'type="PolyData" header_type="UInt16"'), 'bad_header', 'UInt16'],
     ['of unknown byte order', vtp(piece(), 'type="PolyData" byte_order="Middle"'), 'bad_header', 'Middle'],
     [
@@ -313,6 +321,11 @@ describe('a VTP file', () => {
       points: `<DataArray type="Float32" NumberOfComponents="3" format="binary">${data}</DataArray>`,
     });
     await expectFault(vtp(bomb, zlib), 'too_large', '“Points”', '12 884 901 888 bytes');
+  });
+
+  it('in text is not compressed, whatever its head says', async () => {
+    const file = vtp(piece(), 'type="PolyData" compressor="vtkLZMADataCompressor"');
+    expect((await read(file)).mesh.variables[0].values).toEqual(Float32Array.of(1, 2, 3));
   });
 
   it('reads appended base64, and refuses offsets beyond it', async () => {

@@ -55,7 +55,7 @@ export function encodeSurface(
   const gzip = /\.gz$/i.test(path);
   return named(path, async () => ({
     bytes: await writeSurface(format, mesh, { units, componentNames, gzip }),
-    losses: await lossesOf(format, mesh),
+    losses: await lossesOf(format, mesh, { units, componentNames }),
   }));
 }
 

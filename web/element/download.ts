@@ -27,7 +27,11 @@ export async function savedFile(surface: OpenSurface, reduced: Reduced, kind: Sa
     return { name: savedFileName(surface.name, 'report', 'json'), content: reportOf(reduced), losses: [] };
   }
   const content = await writeSurface(kind, mesh, surface.labels);
-  return { name: savedFileName(surface.name, 'reduced', kind), content, losses: await lossesOf(kind, mesh) };
+  return {
+    name: savedFileName(surface.name, 'reduced', kind),
+    content,
+    losses: await lossesOf(kind, mesh, surface.labels),
+  };
 }
 
 function reportOf({ result, bounds, method }: Reduced): string {

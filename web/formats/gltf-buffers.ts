@@ -17,7 +17,11 @@ export async function readBuffers({ json, binary }: GltfFile, beside?: Beside): 
     const where = `buffer ${index}`;
     const isFile = uri !== undefined && !uri.startsWith('data:');
     if (isFile && !files.has(uri)) files.set(uri, (await readBeside(uri, beside)).slice());
-    const whole = isFile ? files.get(uri) : uri === undefined ? chunk : decodeUri(uri, byteLength, where);
+    const whole = isFile
+      ? files.get(uri)
+      : uri === undefined
+        ? chunkOf(index, chunk)
+        : decodeUri(uri, byteLength, where);
     const bytes = whole ?? new Uint8Array();
     if (byteLength > bytes.length) {
       const message = `Buffer ${index} should have ${grouped(byteLength)} bytes, but has ${grouped(bytes.length)}.`;
@@ -26,6 +30,11 @@ export async function readBuffers({ json, binary }: GltfFile, beside?: Beside): 
     buffers.push(bytes);
   }
   return buffers;
+}
+
+/** Only the first buffer is the binary chunk; others without a URI have no bytes at all. */
+function chunkOf(buffer: number, chunk: Uint8Array | undefined): Uint8Array | undefined {
+  return buffer === 0 ? chunk : undefined;
 }
 
 function readBeside(uri: string, beside: Beside | undefined): Promise<Uint8Array> {

@@ -125,6 +125,17 @@ function stringLength(text: LegacyVtkText, where: string): number {
   return more.reduce((length, byte) => length * 256 + byte, first & 63);
 }
 
+/** A line each; that of a component without a name is empty, and it is called by its number. */
+function readComponentNames(text: LegacyVtkText, components: number): string[] {
+  const names: string[] = [];
+  while (names.length < components) {
+    const line = text.line();
+    if (line === undefined) break;
+    names.push(decodeName(line, text.place()) || String(names.length));
+  }
+  return names;
+}
+
 /** The METADATA that may follow an array, up to the next empty line: names of components, and the unit among other things. */
 export function readMetadata(
   text: LegacyVtkText,
@@ -141,10 +152,7 @@ export function readMetadata(
     if (word === 'NAME') key = value;
     if (word === 'DATA' && key === 'UNITS_LABEL') units[name] = decodeName(value, text.place());
     if (word !== 'COMPONENT_NAMES') continue;
-    const names: string[] = [];
-    for (let next = text.peek()[0]; next && names.length < components; next = text.peek()[0]) {
-      names.push(decodeName(text.words()[0], text.place()));
-    }
+    const names = readComponentNames(text, components);
     if (names.length === components) componentNames[name] = names;
   }
 }

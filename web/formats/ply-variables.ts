@@ -19,9 +19,11 @@ const axes = ['x', 'y', 'z'];
 export function groupProperties(properties: string[], comments: string[] = []): PlyVariable[] {
   const free = new Set(properties);
   const groups = declaredGroups(comments).filter((group) => take(group, free));
+  const taken = new Set(groups.map(({ name }) => name));
   for (const group of [...fixedGroups, ...suffixGroups(properties)]) {
-    const nameIsTaken = free.has(group.name) || groups.some((other) => other.name === group.name);
-    if (!nameIsTaken && take(group, free)) groups.push(group);
+    if (free.has(group.name) || taken.has(group.name) || !take(group, free)) continue;
+    groups.push(group);
+    taken.add(group.name);
   }
   for (const name of free) groups.push({ name, properties: [name] });
   const byFirst = new Map(groups.map((group) => [group.properties[0], group]));

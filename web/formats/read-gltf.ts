@@ -15,6 +15,7 @@ import { checkGltf, type GltfJson, openGltf } from './gltf-container.ts';
 import {
   extrasOf,
   type GltfAttribute,
+  type GltfExtras,
   joinAttributes,
   namedAttributes,
   safeName,
@@ -40,8 +41,9 @@ interface Part {
   position: Float32Array;
   triangles: Uint32Array;
   attributes: GltfAttribute[];
-  /** The unit of places, and semantics that are not carried. */
-  unit: string | undefined;
+  /** What the extras say of places. */
+  labels: Partial<GltfExtras>;
+  /** Semantics that are not carried. */
   lost: string[];
 }
 
@@ -73,7 +75,9 @@ export async function readGltf(bytes: Uint8Array, beside?: Beside): Promise<Surf
     notes,
   );
   const surface = weldedSurface({ ...joinShapes(full), variables }, notes);
-  if (full[0].unit) labels.units.position = full[0].unit;
+  const { unit, componentNames } = full[0].labels;
+  if (unit) labels.units.position = unit;
+  if (componentNames?.length === 3) labels.componentNames.position = componentNames;
   return { ...surface, ...labels };
 }
 
@@ -165,10 +169,12 @@ function readPart({ primitive, matrix }: Placed, index: number): Part {
   if (accessor?.getElementSize() !== 3) throw new FormatError('no_points', `The ${where} has no POSITION.`, where);
   const position = numbersOf(accessor);
   const { attributes, lost } = namedAttributes(primitive, where, position.length / 3, numbersOf);
-  const { unit } = extrasOf(accessor);
   const corners = cornersOf(primitive, position.length / 3);
   checkIndices(corners, position.length / 3, where);
-  return place({ position, attributes, triangles: trianglesOf(corners, primitive.getMode()), unit, lost }, matrix);
+  return place(
+    { position, attributes, triangles: trianglesOf(corners, primitive.getMode()), labels: extrasOf(accessor), lost },
+    matrix,
+  );
 }
 
 /** The numbers of an accessor; glTF-Transform turns normalised integers back into what they mean. */

@@ -23,22 +23,11 @@ interface CornerData {
 
 const missing = 0xffffffff;
 /** Lines that draw, group or refine without changing the surface. */
-const ignored = new Set([
-  'g',
-  's',
-  'mg',
-  'bevel',
-  'c_interp',
-  'd_interp',
-  'lod',
-  'shadow_obj',
-  'trace_obj',
-  'end',
-  '#',
-]);
+const ignored = new Set(['s', 'mg', 'bevel', 'c_interp', 'd_interp', 'lod', 'shadow_obj', 'trace_obj', 'end', '#']);
 /** Lines whose loss the user should know of. */
 const lossy = new Map([
   ['o', 'object names'],
+  ['g', 'groups'],
   ['usemtl', 'materials'],
   ['mtllib', 'materials'],
   ['usemap', 'textures'],

@@ -24,7 +24,7 @@ function facetCount(bytes: Uint8Array): number {
  */
 export function readStl(bytes: Uint8Array): Surface {
   const isText =
-    !isBinaryStl(bytes) && /^\s*solid\b/.test(new TextDecoder('latin1').decode(bytes.subarray(0, headSize)));
+    !isBinaryStl(bytes) && /^\s*solid\b/i.test(new TextDecoder('latin1').decode(bytes.subarray(0, headSize)));
   const notes: string[] = [];
   const position = isText ? readText(bytes) : readBinary(bytes, notes);
   if (position.length === 0) throw new FormatError('no_triangles', 'The file has no facets.');

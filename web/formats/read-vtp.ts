@@ -82,10 +82,6 @@ function packingOf(root: XmlNode, appended: AppendedData | undefined, fileSize: 
     header_type: headerType = 'UInt32',
     byte_order: byteOrder = 'LittleEndian',
   } = root.attributes;
-  if (compressor !== '' && compressor !== 'vtkZLibDataCompressor') {
-    const message = `The file is compressed by ${quoted(compressor)}; only zlib is read. Save it with zlib or without compression.`;
-    throw new FormatError('unsupported_feature', message);
-  }
   if (!['UInt32', 'UInt64'].includes(headerType) || !['LittleEndian', 'BigEndian'].includes(byteOrder)) {
     throw new FormatError(
       'bad_header',
@@ -95,7 +91,7 @@ function packingOf(root: XmlNode, appended: AppendedData | undefined, fileSize: 
   return {
     littleEndian: byteOrder === 'LittleEndian',
     headerSize: headerType === 'UInt64' ? 8 : 4,
-    compressed: compressor !== '',
+    compressor,
     appended,
     budget: { bytes: expansionLimit(fileSize) },
   };

@@ -20,7 +20,7 @@ const signatures: Signature[] = [
   { begins: new RegExp(`^(?:\\xEF\\xBB\\xBF)?${prolog}<VTKFile\\b`), format: 'vtp', called: 'VTK XML' },
   { begins: /^# vtk DataFile/i, format: 'vtk', called: 'legacy VTK' },
   { begins: 'glTF', format: 'glb', called: 'GLB' },
-  { begins: /^\s*solid\b[\s\S]*\b(facet|endsolid)\b/, format: 'stl', called: 'STL' },
+  { begins: /^\s*solid\b[\s\S]*\b(facet|endsolid)\b/i, format: 'stl', called: 'STL' },
   { begins: /^\s*\{/, format: 'glb', called: 'glTF' },
   { begins: /^\s*(#[^\n]*\n\s*|(mtllib|o|g|s|usemtl)\b[^\n]*\n\s*)*v\s+[-+.\d]/, format: 'obj', called: 'OBJ' },
   { begins: /^\s*OFF\b|^\s*COFF\b/, called: 'OFF' },

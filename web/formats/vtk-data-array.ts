@@ -17,7 +17,8 @@ export interface VtkPacking {
   littleEndian: boolean;
   /** 4 or 8: the size of the numbers that stand before binary data. */
   headerSize: number;
-  compressed: boolean;
+  /** As the file calls it; empty where nothing is compressed. Text never is. */
+  compressor: string;
   /** What follows the underscore in AppendedData. */
   appended: AppendedData | undefined;
   /** How many more bytes the arrays may take: what stands between a small file and a zlib bomb. */
@@ -68,7 +69,15 @@ function readBytes(node: XmlNode, size: number, packing: VtkPacking, where: stri
     throw new FormatError('too_large', message, where);
   }
   const stream = openStream(node, packing, where);
-  return packing.compressed ? takeCompressed(stream, size, packing, where) : takePlain(stream, size, packing, where);
+  if (packing.compressor === '') return takePlain(stream, size, packing, where);
+  requireZlib(packing.compressor);
+  return takeCompressed(stream, size, packing, where);
+}
+
+function requireZlib(compressor: string): void {
+  if (compressor === 'vtkZLibDataCompressor') return;
+  const message = `The file is compressed by ${quoted(compressor)}; only zlib is read. Save it with zlib or without compression.`;
+  throw new FormatError('unsupported_feature', message);
 }
 
 function openStream(node: XmlNode, { appended }: VtkPacking, where: string): ByteStream {

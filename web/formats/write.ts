@@ -2,7 +2,7 @@ import type { Mesh, Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
 import { gzip } from './gzip.ts';
-import type { Format, WriteOptions } from './surface.ts';
+import type { Format, Labels, WriteOptions } from './surface.ts';
 import { withinMemory } from './within-memory.ts';
 import { listed, quoted } from './wording.ts';
 
@@ -12,9 +12,11 @@ interface Writer {
   lost: (mesh: Mesh) => Variable[];
   /** Whether numbers go out in single precision, and finite, only. */
   single: boolean;
+  /** Whether units and component names have a place. */
+  labels: boolean;
 }
 
-const lossless = { lost: () => [], single: false };
+const lossless = { lost: () => [], single: false, labels: true };
 
 /** One writer a format, each loaded when first asked for. */
 const writers: Record<Format, () => Promise<Writer>> = {
@@ -23,15 +25,15 @@ const writers: Record<Format, () => Promise<Writer>> = {
   vtk: async () => ({ write: (await import('./write-vtk.ts')).writeVtk, ...lossless }),
   obj: async () => {
     const { writeObj, lostInObj } = await import('./write-obj.ts');
-    return { write: writeObj, lost: lostInObj, single: false };
+    return { write: writeObj, lost: lostInObj, single: false, labels: false };
   },
   stl: async () => {
     const { writeStl } = await import('./write-stl.ts');
-    return { write: writeStl, lost: (mesh) => mesh.variables, single: true };
+    return { write: writeStl, lost: (mesh) => mesh.variables, single: true, labels: false };
   },
   glb: async () => {
     const { writeGlb } = await import('./write-glb.ts');
-    return { write: writeGlb, lost: () => [], single: true };
+    return { write: writeGlb, lost: () => [], single: true, labels: true };
   },
 };
 
@@ -47,18 +49,31 @@ export async function writeSurface(format: Format, mesh: Mesh, options?: WriteOp
   return options?.gzip ? gzip(file) : file;
 }
 
-/** What a file of this format will not hold of the mesh, a sentence each; nothing for PLY, VTP and legacy VTK. */
-export async function lossesOf(format: Format, mesh: Mesh): Promise<string[]> {
-  const { lost, single } = await writers[format]();
+/** What a file of this format will not hold of the mesh and its labels, a sentence each; nothing for PLY, VTP and legacy VTK. */
+export async function lossesOf(format: Format, mesh: Mesh, labels: Partial<Labels> = {}): Promise<string[]> {
+  const { lost, single, labels: holdsLabels } = await writers[format]();
   const sentences: string[] = [];
   const names = lost(mesh).map(({ name }) => name);
   if (names.length > 0) sentences.push(`${formatNames[format]} has no place for the variables ${listed(names)}.`);
-  const doubles = keptVariables(mesh, lost(mesh)).filter(({ values }) => values instanceof Float64Array);
+  const kept = keptVariables(mesh, lost(mesh));
+  if (!holdsLabels) sentences.push(...labelLosses(format, kept, labels));
+  const doubles = kept.filter(({ values }) => values instanceof Float64Array);
   if (single && doubles.length > 0) {
     const rounded = listed(doubles.map(({ name }) => name));
     sentences.push(`${formatNames[format]} knows single precision only; rounded: ${rounded}.`);
   }
   return sentences;
+}
+
+function labelLosses(format: Format, kept: Variable[], { units = {}, componentNames = {} }: Partial<Labels>): string[] {
+  const kinds: [noun: string, labels: Record<string, unknown>][] = [
+    ['units', units],
+    ['component names', componentNames],
+  ];
+  return kinds.flatMap(([noun, labels]) => {
+    const names = kept.map(({ name }) => name).filter((name) => Object.hasOwn(labels, name));
+    return names.length > 0 ? [`${formatNames[format]} has no place for the ${noun} of ${listed(names)}.`] : [];
+  });
 }
 
 /** The geometry and what is not lost. */
