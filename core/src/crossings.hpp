@@ -1,34 +1,54 @@
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "surface.hpp"
 
 namespace meshbound {
 
-/// A place where an original edge crosses a current edge. Both run from their lower vertex to their upper one.
+/// A place where an original edge crosses a current edge. Both run from their lower vertex to their upper one. Nothing is set
+/// by default, so that blocks of them take memory only as they fill.
 struct Crossing {
-    double s = 0;                      ///< along the original edge, 0…1
-    double t = 0;                      ///< along the current edge, 0…1
-    std::uint32_t original = no_index; ///< the original edge
-    std::uint32_t current = no_index;  ///< the current edge
-    std::uint32_t previous = no_index; ///< the crossing before this one on the original edge
-    std::uint32_t next = no_index;     ///< the one behind it
-    std::uint32_t sibling = no_index;  ///< another crossing on the same current edge
-    bool rightward = false;            ///< with s rising, passes from the left of the current edge to its right
+    double s;               ///< along the original edge, 0…1
+    double t;               ///< along the current edge, 0…1
+    std::uint32_t original; ///< the original edge
+    std::uint32_t current;  ///< the current edge
+    std::uint32_t previous; ///< the crossing before this one on the original edge, or no_index
+    std::uint32_t next;     ///< the one behind it, or no_index
+    std::uint32_t sibling;  ///< another crossing on the same current edge, or no_index
+    bool rightward;         ///< with s rising, passes from the left of the current edge to its right
 };
 
 /// All crossings: each original edge is a chain of them in their order along it, each current edge a set. The chains make
 /// sorting needless, and their order holds even where two crossings have the same s.
+///
+/// Several threads may change crossings at once, each with a Supply of its own, where no current and no original edge is
+/// changed by two of them. Which name a crossing gets is then chance; nothing may depend on it.
 class Crossings {
 public:
-    Crossings(std::size_t edges) : first_(edges, no_index), last_(edges, no_index), on_(edges, no_index) {}
+    explicit Crossings(std::size_t edges) : first_(edges, no_index), last_(edges, no_index), on_(edges, no_index) {}
 
-    /// Names of crossings are below this.
-    std::size_t size() const { return pool_.size(); }
+    /// Free places for crossings, of one thread.
+    class Supply {
+    public:
+        explicit Supply(Crossings& crossings) : crossings_(crossings) {}
+        Supply(const Supply&) = delete;
+        Supply& operator=(const Supply&) = delete;
+        ~Supply() { crossings_.take_back(*this); }
 
-    const Crossing& operator[](std::uint32_t id) const { return pool_[id]; }
+    private:
+        friend class Crossings;
+        Crossings& crossings_;
+        std::uint32_t unused_ = no_index;   // chained by sibling
+        std::uint32_t fresh_ = 0, end_ = 0; // never used so far
+    };
+
+    const Crossing& operator[](std::uint32_t id) const { return at(id); }
 
     /// First and last crossing of an original edge, or no_index.
     std::uint32_t first(std::uint32_t original) const { return first_[original]; }
@@ -38,19 +58,32 @@ public:
     std::uint32_t on(std::uint32_t current) const { return on_[current]; }
 
     /// Forgets all crossings on a current edge. The chains through them are left open: relink them.
-    void clear(std::uint32_t current);
+    void clear(std::uint32_t current, Supply& supply);
 
     /// Adds a crossing to its current edge and returns its name.
-    std::uint32_t add(const Crossing& crossing);
+    std::uint32_t add(const Crossing& crossing, Supply& supply);
 
     /// Makes two crossings neighbours on an original edge; no_index stands for its end.
     void link(std::uint32_t original, std::uint32_t before, std::uint32_t after);
 
 private:
-    std::vector<Crossing> pool_;
-    std::uint32_t unused_ = no_index;         // free places of the pool, chained by sibling
+    /// Blocks of places, each twice as large as the one before, so that places never move while others look at them.
+    static constexpr int first_block_bits = 10, most_blocks = 32 - first_block_bits;
+
+    Crossing& at(std::uint32_t id) const {
+        const std::uint64_t place = std::uint64_t{id} + (std::uint64_t{1} << first_block_bits);
+        const int bits = std::bit_width(place) - 1;
+        return blocks_[static_cast<std::size_t>(bits - first_block_bits)][place - (std::uint64_t{1} << bits)];
+    }
+    void refill(Supply& supply);
+    void take_back(Supply& supply);
+
+    std::array<std::unique_ptr<Crossing[]>, most_blocks> blocks_;
     std::vector<std::uint32_t> first_, last_; // by original edge
     std::vector<std::uint32_t> on_;           // by current edge
+    std::mutex mutex_;                        // of what follows
+    std::uint32_t size_ = 0;                  // places that were handed out
+    std::uint32_t returned_ = no_index;       // given back, chained by sibling
 };
 
 } // namespace meshbound

@@ -1,6 +1,7 @@
 #include "reduction_run.hpp"
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "map_output.hpp"
@@ -16,6 +17,9 @@ namespace {
 /// Sweeping is this share of the progress; the rest is reporting.
 constexpr double sweeping_share = 0.9;
 
+/// More threads than this would wait for each other.
+constexpr unsigned most_threads = 64;
+
 /// Interior and boundary vertices are candidates unless the user locked them (§3.1: all vertices are candidates).
 std::vector<char> find_candidates(const Surface& surface, const std::vector<std::uint32_t>& locked) {
     std::vector<char> candidate(surface.vertex_count(), 0);
@@ -24,6 +28,11 @@ std::vector<char> find_candidates(const Surface& surface, const std::vector<std:
             surface.kind(vertex) == VertexKind::interior || surface.kind(vertex) == VertexKind::boundary;
     for (const std::uint32_t vertex : locked) candidate[vertex] = 0;
     return candidate;
+}
+
+std::size_t threads_to_use(const Options& options) {
+    const unsigned wanted = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
+    return std::clamp(wanted, 1U, most_threads);
 }
 
 std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& rows, const Surface& surface) {
@@ -75,7 +84,8 @@ void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Re
     if (!ticker_.ask()) return;
     const std::vector<char> candidate = find_candidates(surface_, options_.locked);
     const std::unique_ptr<LinkedTracking> linked = link ? link_from_here(bounds) : nullptr;
-    Sweeper sweeper(surface_, *rows_, linked ? static_cast<Accounting&>(*linked) : *accounting_, candidate);
+    Sweeper sweeper(surface_, *rows_, linked ? static_cast<Accounting&>(*linked) : *accounting_, candidate,
+                    threads_to_use(options_));
     const double swept = span.start + sweeping_share * (span.end - span.start);
     const std::vector<double> limits = limits_of_sweeps(bounds);
     reached_ = bounds;

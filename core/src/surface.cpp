@@ -20,7 +20,6 @@ Surface::Surface(const std::vector<glm::uvec3>& triangles, std::size_t vertices)
         if (triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x) continue;
         for (int corner = 0; corner < 3; ++corner) origin_.push_back(triangle[corner]);
     }
-    triangle_count_ = slot_count();
     pair_half_edges();
     classify();
     remember_fixed_edges();
@@ -169,7 +168,6 @@ void Surface::retriangulate(const Hole& hole, Retriangulation& retriangulation) 
         join(triangle, triangle.parent < 0 ? nullptr : &fresh[static_cast<std::size_t>(triangle.parent)]);
     }
     for (const NewTriangle& triangle : fresh) refresh_vertices(triangle);
-    triangle_count_ -= hole.slots.size() - fresh.size();
 }
 
 } // namespace meshbound

@@ -57,7 +57,6 @@ public:
     /// Slots for triangles, the dead ones among them.
     std::size_t slot_count() const { return origin_.size() / 3; }
     bool alive(std::uint32_t triangle) const { return origin_[3 * std::size_t(triangle)] != no_index; }
-    std::size_t triangle_count() const { return triangle_count_; }
     std::size_t edge_count() const { return edge_count_; }
     std::size_t count(VertexKind kind) const;
 
@@ -89,7 +88,7 @@ private:
     std::vector<std::uint32_t> outgoing_;             // by vertex
     std::vector<VertexKind> kind_;                    // by vertex
     std::unordered_set<std::uint64_t> fixed_edges_;   // between fixed vertices; such edges never vanish
-    std::size_t triangle_count_ = 0, edge_count_ = 0;
+    std::size_t edge_count_ = 0;
 };
 
 } // namespace meshbound

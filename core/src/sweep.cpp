@@ -1,20 +1,65 @@
 #include "sweep.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace meshbound {
+namespace {
 
-Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate)
-    : removal_(surface, rows, accounting), candidate_(std::move(candidate)), queued_(candidate_.size(), 0),
-      fresh_(candidate_.size(), 1), touched_(candidate_.size(), 0), verdicts_(candidate_.size()) {}
+/// How a round is cut: as many patches as keep many threads busy, as few as leave little on the cuts, and at most 256.
+struct Cutting {
+    std::size_t least;    // a smaller round is taken whole
+    std::size_t in_patch; // vertices in a patch, at least
+};
+constexpr int deepest_cut = 8;
+
+/// Where changed vertices wait, patches change nothing. The last sweep advances in fronts, which are worth 10 % of the
+/// triangles and break at the cuts: patches so large lose 1 %.
+constexpr Cutting cutting_in_rounds = {1024, 256}, cutting_in_fronts = {8192, 4096};
+
+/// Before the last sweep, a vertex whose star has changed waits for the next round: removing one after its neighbour, along
+/// a numbering that runs in rows, would drag a front of long triangles, and of all that is tracked in them, over the surface.
+bool changed_wait(Removal::Effort effort) { return effort == Removal::Effort::best; }
+
+const Cutting& cutting(Removal::Effort effort) { return changed_wait(effort) ? cutting_in_rounds : cutting_in_fronts; }
+
+int depth_of_cut(std::size_t vertices, std::size_t in_patch) {
+    int depth = 1;
+    while (depth < deepest_cut && (vertices >> (depth + 1)) >= in_patch) ++depth;
+    return depth;
+}
+
+} // namespace
+
+Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate,
+                 std::size_t threads)
+    : surface_(surface), rows_(rows), accounting_(accounting), threads_(threads), candidate_(std::move(candidate)),
+      queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1), touched_(candidate_.size(), 0),
+      verdicts_(candidate_.size()) {
+    removals_.push_back(std::make_unique<Removal>(surface, rows, accounting));
+}
 
 bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker, double start, double end) {
     const double share = (end - start) / static_cast<double>(limits.size());
     for (std::size_t i = 0; i < limits.size(); ++i) {
         const bool last = i + 1 == limits.size(); // before, a refused candidate gets another chance anyway
         const Removal::Effort effort = last ? Removal::Effort::thorough : Removal::Effort::best;
-        if (!sweep_once(limits[i] * limits[i], effort, ticker, start + static_cast<double>(i) * share, share))
+        if (!sweep_once({limits[i] * limits[i], effort, ticker, start + static_cast<double>(i) * share, share}))
             return false;
+    }
+    return true;
+}
+
+bool Sweeper::sweep_once(const Sweep& sweep) {
+    queue_candidates(sweep.squared_limit);
+    known_ = queue_.size();
+    taken_ = 0;
+    next_whole_ = false;
+    while (!queue_.empty()) {
+        ++round_;
+        const Queue round = std::exchange(queue_, {});
+        const bool whole = next_whole_ || round.size() < cutting(sweep.effort).least;
+        if (!(whole ? take_whole(sweep, round) : take_in_patches(sweep, round))) return false;
     }
     return true;
 }
@@ -25,53 +70,106 @@ void Sweeper::queue_candidates(double squared_limit) {
     for (std::uint32_t vertex = 0; vertex < candidate_.size(); ++vertex) {
         const Verdict& verdict = verdicts_[vertex];
         if (fresh_[vertex] || (verdict.refusal == Refusal::bound && verdict.squared_ratio <= squared_limit))
-            queue(vertex);
+            queue(vertex, queue_);
     }
 }
 
-void Sweeper::queue(std::uint32_t vertex) {
+void Sweeper::queue(std::uint32_t vertex, Queue& next) {
     if (queued_[vertex] || !candidate_[vertex]) return;
     queued_[vertex] = 1;
-    queue_.push_back(vertex);
+    next.push_back(vertex);
 }
 
-void Sweeper::attempt(std::uint32_t vertex, double squared_limit, Removal::Effort effort) {
-    fresh_[vertex] = 0;
-    verdicts_[vertex] = removal_.attempt(vertex, squared_limit, effort);
-    if (verdicts_[vertex].refusal != Refusal::none) return;
-    candidate_[vertex] = 0;
-    for (const std::uint32_t neighbour : removal_.hole().ring) {
-        fresh_[neighbour] = 1;
-        touched_[neighbour] = round_;
-        queue(neighbour);
-    }
-}
-
-/// Before the last sweep, a vertex whose star has changed waits for the next round: removing one after its neighbour, along
-/// a numbering that runs in rows, would drag a front of long triangles, and of all that is tracked in them, over the surface.
-bool Sweeper::waits(std::uint32_t vertex, Removal::Effort effort) const {
-    return effort == Removal::Effort::best && touched_[vertex] == round_;
-}
-
-bool Sweeper::sweep_once(double squared_limit, Removal::Effort effort, Ticker& ticker, double start, double share) {
-    queue_candidates(squared_limit);
-    std::size_t round_end = 0;
-    for (std::size_t next = 0; next < queue_.size(); ++next) {
-        if (next == round_end) {
-            ++round_;
-            round_end = queue_.size();
-        }
-        const std::uint32_t vertex = queue_[next];
-        queued_[vertex] = 0;
-        if (waits(vertex, effort)) {
-            queue(vertex);
-            continue;
-        }
-        attempt(vertex, squared_limit, effort);
-        const double done = static_cast<double>(next + 1) / static_cast<double>(queue_.size());
-        if (!ticker.tick(removal_.work(), start + share * done)) return false;
+bool Sweeper::take_whole(const Sweep& sweep, const Queue& round) {
+    next_whole_ = false;
+    for (const std::uint32_t vertex : round) {
+        take(sweep, vertex, 0, queue_);
+        if (!tick(sweep, 0)) return false;
     }
     return true;
+}
+
+bool Sweeper::take_in_patches(const Sweep& sweep, const Queue& round) {
+    gather_team();
+    const Patches patches(rows_, round, depth_of_cut(round.size(), cutting(sweep.effort).in_patch), round_);
+    std::vector<Patch> cut(patches.count());
+    for (const std::uint32_t vertex : round) cut[patches.at(rows_.position(vertex))].vertices.push_back(vertex);
+    team_->run(cut.size(), [&](std::size_t member, std::size_t number) {
+        if (!take_patch(sweep, patches, number, member, cut[number])) cancelled_ = true;
+    });
+    std::size_t put_off = 0;
+    for (const Patch& patch : cut) {
+        queue_.insert(queue_.end(), patch.next.begin(), patch.next.end());
+        put_off += patch.put_off;
+    }
+    next_whole_ = 2 * put_off > round.size();
+    return !cancelled_;
+}
+
+bool Sweeper::take_patch(const Sweep& sweep, const Patches& patches, std::size_t number, std::size_t member,
+                         Patch& patch) {
+    for (const std::uint32_t vertex : patch.vertices) {
+        if (lies_within(vertex, patches, number)) {
+            take(sweep, vertex, member, patch.next);
+        } else {
+            ++patch.put_off;
+            patch.next.push_back(vertex);
+        }
+        if (cancelled_ || !tick(sweep, member)) return false;
+    }
+    return true;
+}
+
+/// Whether the ring of a vertex lies in the same patch. Vertices beside fixed ones never do: all patches look at the edges
+/// between these.
+bool Sweeper::lies_within(std::uint32_t vertex, const Patches& patches, std::size_t number) const {
+    const auto within = [&](std::uint32_t neighbour) {
+        return surface_.kind(neighbour) != VertexKind::fixed && patches.at(rows_.position(neighbour)) == number;
+    };
+    const std::uint32_t first = surface_.outgoing(vertex);
+    std::uint32_t spoke = first;
+    do {
+        if (!within(surface_.target(spoke))) return false;
+        const std::uint32_t arriving = Surface::previous(spoke);
+        spoke = surface_.twin(arriving);
+        if (spoke == no_index) return within(surface_.origin(arriving));
+    } while (spoke != first);
+    return true;
+}
+
+void Sweeper::take(const Sweep& sweep, std::uint32_t vertex, std::size_t member, Queue& next) {
+    const std::size_t before = next.size();
+    queued_[vertex] = 0;
+    if (changed_wait(sweep.effort) && touched_[vertex] == round_) queue(vertex, next);
+    else attempt(sweep, vertex, *removals_[member], next);
+    known_ += next.size() - before;
+    ++taken_;
+}
+
+void Sweeper::attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal, Queue& next) {
+    fresh_[vertex] = 0;
+    verdicts_[vertex] = removal.attempt(vertex, sweep.squared_limit, sweep.effort);
+    if (verdicts_[vertex].refusal != Refusal::none) return;
+    candidate_[vertex] = 0;
+    for (const std::uint32_t neighbour : removal.hole().ring) {
+        fresh_[neighbour] = 1;
+        touched_[neighbour] = round_;
+        queue(neighbour, next);
+    }
+}
+
+/// Only the caller's own thread reports to it.
+bool Sweeper::tick(const Sweep& sweep, std::size_t member) {
+    if (member != 0) return true;
+    const double done = static_cast<double>(taken_) / static_cast<double>(known_);
+    return sweep.ticker.tick(removals_[0]->work(), sweep.start + sweep.share * done);
+}
+
+void Sweeper::gather_team() {
+    if (team_) return;
+    team_ = std::make_unique<Team>(threads_);
+    while (removals_.size() < team_->size())
+        removals_.push_back(std::make_unique<Removal>(surface_, rows_, accounting_));
 }
 
 } // namespace meshbound

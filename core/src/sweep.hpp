@@ -1,20 +1,30 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "patches.hpp"
 #include "removal.hpp"
+#include "team.hpp"
 #include "ticker.hpp"
 
 namespace meshbound {
 
 /// The order of removal: few sweeps, each taking in turn whatever stays within its fraction of the bounds. A refused
 /// candidate is remembered with the error it would have caused and skipped until its star changes or the limit passes that
-/// error. A sweep ends when no vertex is left to look at.
+/// error. A sweep goes in rounds: what a round changes the next one looks at. It ends when no vertex is left to look at.
+///
+/// A large round is cut into patches, which several threads take at once: of each the vertices whose neighbours all lie in the
+/// same patch. What a removal reads and writes belongs to its ring's vertices, so patches have nothing in common. The rest
+/// waits for the next round, whose cut runs elsewhere. Cuts follow from positions alone, so the result is the same for any
+/// number of threads.
 class Sweeper {
 public:
     /// `candidate[v]`: whether vertex v may go at all.
-    Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate);
+    Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate,
+            std::size_t threads);
 
     /// Sweeps with each limit (fractions of the bounds, rising), which takes the progress from `start` to `end`. False when
     /// the ticker cancelled.
@@ -24,20 +34,48 @@ public:
     const Verdict& verdict(std::uint32_t vertex) const { return verdicts_[vertex]; }
 
 private:
-    bool sweep_once(double squared_limit, Removal::Effort effort, Ticker& ticker, double start, double share);
-    bool waits(std::uint32_t vertex, Removal::Effort effort) const;
-    void queue_candidates(double squared_limit);
-    void queue(std::uint32_t vertex);
-    void attempt(std::uint32_t vertex, double squared_limit, Removal::Effort effort);
+    /// One sweep under way.
+    struct Sweep {
+        double squared_limit;
+        Removal::Effort effort;
+        Ticker& ticker;
+        double start, share; // of the progress
+    };
+    using Queue = std::vector<std::uint32_t>;
+    struct Patch {
+        Queue vertices, next;
+        std::size_t put_off = 0;
+    };
 
-    Removal removal_;
+    bool sweep_once(const Sweep& sweep);
+    void queue_candidates(double squared_limit);
+    void queue(std::uint32_t vertex, Queue& next);
+    bool take_whole(const Sweep& sweep, const Queue& round);
+    bool take_in_patches(const Sweep& sweep, const Queue& round);
+    bool take_patch(const Sweep& sweep, const Patches& patches, std::size_t number, std::size_t member, Patch& patch);
+    bool lies_within(std::uint32_t vertex, const Patches& patches, std::size_t number) const;
+    void take(const Sweep& sweep, std::uint32_t vertex, std::size_t member, Queue& next);
+    void attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal, Queue& next);
+    bool tick(const Sweep& sweep, std::size_t member);
+    void gather_team();
+
+    Surface& surface_;
+    const Rows& rows_;
+    Accounting& accounting_;
+    std::size_t threads_;
+    std::vector<std::unique_ptr<Removal>> removals_; // by member of the team
+    std::unique_ptr<Team> team_;                     // gathered for the first large round
     std::vector<char> candidate_;
     std::vector<char> queued_;
     std::vector<char> fresh_;            // never looked at since its star changed
     std::vector<std::uint32_t> touched_; // the round in which the star last changed; rounds count from 1
     std::uint32_t round_ = 0;
+    bool next_whole_ = false; // the last cut left too much to the next round
     std::vector<Verdict> verdicts_;
-    std::vector<std::uint32_t> queue_; // processed from the front; grows at the back
+    Queue queue_;                       // of the next round
+    std::atomic<std::size_t> known_{0}; // vertices that were queued in this sweep …
+    std::atomic<std::size_t> taken_{0}; // … and of these looked at
+    std::atomic<bool> cancelled_{false};
 };
 
 } // namespace meshbound

@@ -6,8 +6,8 @@ namespace meshbound {
 
 TrackedRemoval::TrackedRemoval(const Rows& rows, const MeasuredRows& measured_rows, const Surface& surface,
                                TrackedMap& map, const Options& options)
-    : rows_(rows), measured_rows_(measured_rows), surface_(surface), map_(map), content_(surface),
-      products_(measured_rows), cost_(measured_rows, products_),
+    : rows_(rows), measured_rows_(measured_rows), surface_(surface), map_(map), supply_(map.crossings),
+      content_(surface), products_(measured_rows), cost_(measured_rows, products_),
       settling_(measured_rows, products_, options.choose_places),
       laying_(measured_rows, map, options.choose_crossings) {}
 
@@ -32,7 +32,7 @@ Measured TrackedRemoval::measure(const Retriangulation& retriangulation, double 
 void TrackedRemoval::commit(const Retriangulation& retriangulation) {
     for (const std::uint32_t slot : hole_->slots) map_.residents.clear_triangle(slot);
     for (const std::uint32_t edge : hole_->spoke_edges) {
-        map_.crossings.clear(edge);
+        map_.crossings.clear(edge, supply_);
         map_.residents.clear_edge(edge);
     }
     commit_settlements(retriangulation);
@@ -61,13 +61,13 @@ void TrackedRemoval::commit_piece(const Retriangulation& retriangulation, std::s
         const NewCrossing& fresh = laying_.crossings()[n];
         const NewTriangle& triangle = retriangulation.triangles[at(fresh.triangle)];
         const bool canonical = hole_->ring[at(triangle.a)] < hole_->ring[at(triangle.b)];
-        Crossing crossing;
+        Crossing crossing{};
         crossing.s = fresh.s;
         crossing.t = canonical ? fresh.t : 1 - fresh.t;
         crossing.original = piece.original;
         crossing.current = triangle.edge;
         crossing.rightward = fresh.into == canonical; // the triangle lies on the right of its diagonal a → b
-        const std::uint32_t id = map_.crossings.add(crossing);
+        const std::uint32_t id = map_.crossings.add(crossing, supply_);
         map_.crossings.link(piece.original, before, id);
         before = id;
     }

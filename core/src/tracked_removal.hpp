@@ -36,6 +36,7 @@ private:
     const MeasuredRows& measured_rows_;
     const Surface& surface_;
     TrackedMap& map_;
+    Crossings::Supply supply_;
     HoleContent content_;
     HoleProducts products_;
     TrackedCost cost_;

@@ -36,6 +36,7 @@ std::size_t triangles_left(Mesh mesh, Errors errors) {
     meshes::add_usual_fields(mesh);
     Options options;
     options.errors = errors;
+    options.threads = 1; // where several wait for each other is chance
     Reduction reduction;
     const Bounds bounds = {{"position", relative(0.01)}, {"*", relative(0.03)}};
     if (const Status status = reduce(mesh, bounds, options, reduction); !status.ok())

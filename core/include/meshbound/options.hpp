@@ -34,6 +34,10 @@ struct Options {
     /// Tracked errors only: count the folds of the map when the reduction is done, which takes a few percent of its time.
     bool count_folds = true;
 
+    /// How many threads share the work, this one among them, at most 64; 0: as many as the machine runs at once. The result
+    /// is the same for any number, byte for byte.
+    unsigned threads = 0;
+
     /// Vertices (indices into the input) that must stay.
     std::vector<std::uint32_t> locked;
 };
