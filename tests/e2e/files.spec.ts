@@ -8,10 +8,13 @@ import { brokenFiles, ply, sheet, squareWithNaN } from './surfaces.ts';
 
 const page = sharePage();
 
+/** Of `heat`, some 300, and of errors of it, which are held and saved in single precision. */
+const singlePrecision = 1e-4;
+
 async function saved(shown: Page, format: string): Promise<{ name: string; bytes: Uint8Array }> {
   const started = shown.waitForEvent('download');
   await shown.getByRole('button', { name: 'Save…' }).click();
-  await shown.getByRole('button', { name: format.toUpperCase(), exact: true }).click();
+  await shown.getByRole('button', { name: format === 'map' ? 'Map (VTP)' : format.toUpperCase(), exact: true }).click();
   const download = await started;
   return { name: download.suggestedFilename(), bytes: new Uint8Array(await readFile(await download.path())) };
 }
@@ -63,6 +66,29 @@ for (const format of ['ply', 'vtp']) {
     }
   });
 }
+
+test('saves the map: where every vertex of the original lies on the reduced surface that is saved beside it', async () => {
+  await chooseFile(page(), 'my sheet.ply', sheet(40));
+  await expect.poll(async () => (await counts(page())).before).toBe(2 * 39 * 39);
+  await settled(page());
+  const reduced = (await readSurface('a.vtp', (await saved(page(), 'vtp')).bytes)).mesh;
+  const { name, bytes } = await saved(page(), 'map');
+  expect(name).toBe('my-sheet-map.vtp');
+  const { mesh } = await readSurface(name, bytes);
+  expect(mesh.triangles.length / 3).toBe(2 * 39 * 39);
+  const valuesOf = (variable: string) => mesh.variables.find((each) => each.name === variable)?.values as Float64Array;
+  const [triangle, shares, heat] = ['reduced_triangle', 'reduced_barycentric', 'heat_error'].map(valuesOf);
+  const errors = Array.from(triangle, (host, vertex) => {
+    const there = [0, 1, 2].reduce((sum, corner) => {
+      const kept = reduced.triangles[3 * host + corner];
+      return sum + shares[3 * vertex + corner] * reduced.variables[0].values[kept];
+    }, 0);
+    return Math.abs(valuesOf('heat')[vertex] - there);
+  });
+  const misplaced = errors.filter((error, vertex) => Math.abs(error - heat[vertex]) > singlePrecision);
+  expect(misplaced).toEqual([]);
+  expect(Math.max(...errors)).toBeGreaterThan(0);
+});
 
 test('what was saved opens again', async () => {
   const { after } = await counts(page());

@@ -76,6 +76,26 @@ test.describe('on one page', () => {
     await expect.poll(() => counts(page())).toEqual(first);
   });
 
+  test('says which variable holds the reduction back: without its bound fewer triangles are left, and another does', async () => {
+    const most = page().locator('meshbound-held-back b');
+    await page().getByRole('button', { name: 'Presets' }).click();
+    await page().getByRole('button', { name: 'Usual' }).click();
+    await settled(page());
+    const name = await most.innerText();
+    const before = await counts(page());
+    await expect(page().locator('meshbound-held-back')).toContainText(/\d\s%/);
+    await page()
+      .getByRole('checkbox', { name: `${name === 'space' ? 'position' : name} bounded` })
+      .uncheck();
+    await settled(page());
+    await expect(most).not.toHaveText(name);
+    expect((await counts(page())).after).toBeLessThan(before.after);
+    await page()
+      .getByRole('checkbox', { name: `${name === 'space' ? 'position' : name} bounded` })
+      .check();
+    await settled(page());
+  });
+
   test('refuses what cannot be a bound, says why and keeps the bound', async () => {
     const first = await sentence(page()).innerText();
     const field = page().getByLabel('Bound of pressure in percent');

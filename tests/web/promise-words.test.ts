@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { Report, VariableReport } from '../../wasm/types.ts';
-import { heldBackSentence, promiseSentence } from '../../web/element/promise-words.ts';
+import { heldBackShares, promiseSentence, roughShareText } from '../../web/element/promise-words.ts';
 
 function variable(name: string, fraction: number, ratio: number, refused = 0): VariableReport {
   const bound = 200 * fraction;
@@ -100,9 +100,14 @@ describe('the promise', () => {
 describe('what holds a result back', () => {
   test('is listed with its share, the largest first', () => {
     const held = report([variable('position', 0.01, 1, 30), variable('t', 0.03, 1, 60)], { fold: 10 });
-    expect(plain(heldBackSentence(held))).toBe('Held back by t 60 %, space 30 %, folds 10 %.');
+    expect(heldBackShares(held)).toEqual([
+      { reason: 't', share: 0.6 },
+      { reason: 'space', share: 0.3 },
+      { reason: 'folds', share: 0.1 },
+    ]);
+    expect([0.6, 0.004, 1].map((share) => plain(roughShareText(share)))).toEqual(['60 %', '< 1 %', '100 %']);
   });
 
   test('is not mentioned where nothing does', () =>
-    expect(heldBackSentence(report([variable('t', 0.03, 0)]))).toBe(''));
+    expect(heldBackShares(report([variable('t', 0.03, 0)]))).toEqual([]));
 });

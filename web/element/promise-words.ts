@@ -49,8 +49,15 @@ function mostUsed(bounded: VariableReport[], measured: boolean): string {
   return `most used: ${placeName(most)}, ${measured ? '' : 'at most '}${error} (${lowerPercentText(most.ratio)} of its bound)`;
 }
 
-/** Why vertices that are still there could not go, as shares of them all: "Held back by pressure 61 %, folds 22 %." */
-export function heldBackSentence({ variables, refused }: Report): string {
+/** Why vertices that are still there could not go, as a share of them all, 0…1. */
+export interface HeldBack {
+  /** A variable's name, `space`, or what of the surface's shape forbids it. */
+  reason: string;
+  share: number;
+}
+
+/** What holds a reduction back, the largest share first; empty where nothing does. */
+export function heldBackShares({ variables, refused }: Report): HeldBack[] {
   const reasons: [string, number][] = [
     ...variables.map((variable): [string, number] => [placeName(variable), variable.refused]),
     ['folds', refused.fold],
@@ -59,12 +66,11 @@ export function heldBackSentence({ variables, refused }: Report): string {
   ];
   const counted = reasons.filter(([, count]) => count > 0).sort(([, a], [, b]) => b - a);
   const all = counted.reduce((sum, [, count]) => sum + count, 0);
-  if (all === 0) return '';
-  const shares = counted.map(([reason, count]) => `${reason} ${roughShareText(count / all)}`);
-  return `Held back by ${shares.join(', ')}.`;
+  return counted.map(([reason, count]) => ({ reason, share: count / all }));
 }
 
-function roughShareText(share: number): string {
+/** "61 %", and nothing finer: it is a rough guide. */
+export function roughShareText(share: number): string {
   return share < 0.01 ? '<\u00a01\u00a0%' : `${Math.round(100 * share)}\u00a0%`;
 }
 

@@ -1,4 +1,4 @@
-import { css, html, LitElement, nothing } from 'lit';
+import { css, html, LitElement } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
 import type { Report, VariableExtent } from '../../wasm/index.ts';
 import { type BoundSetting, type BoundSettings, largestFraction, parsePercent } from '../session/bound-setting.ts';
@@ -12,7 +12,7 @@ import './menu.ts';
 import './method-choice.ts';
 import './number-field.ts';
 import { percentNumber, percentText } from '../element/number-text.ts';
-import { heldBackSentence } from '../element/promise-words.ts';
+import './held-back.ts';
 
 /** What the panel asks for: the bound of one variable, the largest of all with the others in proportion, or all. */
 export type BoundChange = { variable: string; setting: BoundSetting } | { all: number } | { bounds: Bounds };
@@ -27,7 +27,7 @@ const presets = [
 ];
 
 /**
- * A row for each variable of the surface, one that moves all, what holds the result back, and the method.
+ * What holds the result back, a row that moves all bounds, one for each variable of the surface, and the method.
  *
  * @fires bounds-change with a BoundChange
  * @fires chart-toggle with whether the chart of triangles against bounds is to be seen
@@ -82,7 +82,6 @@ export class BoundsPanel extends LitElement {
         border-radius: var(--radius);
         cursor: pointer;
       }
-      .held,
       .chart,
       meshbound-method-choice {
         padding: 8px 0;
@@ -121,13 +120,14 @@ export class BoundsPanel extends LitElement {
         <h2>Bounds</h2>
         ${this.#steps()} ${this.#presets()}
       </div>
+      <meshbound-held-back .report=${this.report}></meshbound-held-back>
       ${this.#all()}
       ${repeat(
         variables,
         ({ name }) => name,
         (variable, index) => this.#row(variable, index),
       )}
-      ${this.#heldBack()} ${this.#chart()}
+      ${this.#chart()}
       <meshbound-method-choice
         .method=${this.method}
         @method-change=${({ detail }: CustomEvent<Method>) =>
@@ -195,11 +195,6 @@ export class BoundsPanel extends LitElement {
           this.#change({ variable: variable.name, setting: detail })}
       ></meshbound-bound-row>
     </div>`;
-  }
-
-  #heldBack() {
-    const sentence = this.report && heldBackSentence(this.report);
-    return sentence ? html`<p class="held small soft">${sentence}</p>` : nothing;
   }
 
   #chart() {

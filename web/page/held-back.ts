@@ -1,0 +1,70 @@
+import { css, html, LitElement } from 'lit';
+import type { Report } from '../../wasm/types.ts';
+import { controlsStyle } from '../element/controls-style.ts';
+import { type HeldBack as Held, heldBackShares, roughShareText } from '../element/promise-words.ts';
+
+/** What holds a reduction back: which bound to loosen for fewer triangles. */
+export class HeldBack extends LitElement {
+  static override properties = { report: { attribute: false } };
+
+  static override styles = [
+    controlsStyle,
+    css`
+      :host {
+        display: block;
+        /* Room for the words before they come, and for two lines of what comes next. */
+        min-height: calc(3 * 1.4em + 12px);
+        margin-bottom: 8px;
+      }
+      p {
+        overflow-wrap: anywhere;
+      }
+      .bar {
+        display: flex;
+        gap: 1px;
+        height: 6px;
+        margin: 3px 0;
+        overflow: hidden;
+        border-radius: 3px;
+      }
+      .bar span {
+        min-width: 1px;
+        background: var(--accent-soft);
+      }
+      .bar span:first-child {
+        background: var(--accent);
+      }
+    `,
+  ];
+
+  declare report: Report | null;
+
+  constructor() {
+    super();
+    this.report = null;
+  }
+
+  override render() {
+    if (!this.report) return html``;
+    const [most, ...rest] = heldBackShares(this.report);
+    if (!most) return html`<p class="soft">Nothing holds it back.</p>`;
+    return html`
+      <p title="Why the vertices that are still there could not go">
+        Held back most by <b>${most.reason}</b>: ${roughShareText(most.share)}
+      </p>
+      <div class="bar" aria-hidden="true">
+        ${[most, ...rest].map(
+          ({ reason, share }) =>
+            html`<span title="${reason} ${roughShareText(share)}" .style=${`flex:${share}`}></span>`,
+        )}
+      </div>
+      <p class="small soft">${rest.length > 0 ? `then ${rest.map(words).join(', ')}` : 'and nothing else'}</p>
+    `;
+  }
+}
+
+function words({ reason, share }: Held): string {
+  return `${reason} ${roughShareText(share)}`;
+}
+
+customElements.define('meshbound-held-back', HeldBack);
