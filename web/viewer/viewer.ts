@@ -53,8 +53,7 @@ export class Viewer extends EventTarget {
     this.#canvas = canvas;
     this.#panes = panes;
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.#renderer.setClearColor(0, 0);
-    this.#renderer.setScissorTest(true);
+    this.#prepareContext();
     this.#surfaces = panes.map(() => new Surface());
     this.#wanted = panes.map(() => null);
     this.#pickTrees = panes.map(() => null);
@@ -225,7 +224,16 @@ export class Viewer extends EventTarget {
     );
   }
 
-  #restored = (): void => this.#requestDraw();
+  /** A graphics card that was lost comes back with nothing of what it was told; surfaces are sent to it anew when drawn. */
+  #restored = (): void => {
+    this.#prepareContext();
+    this.#requestDraw();
+  };
+
+  #prepareContext(): void {
+    this.#renderer.setClearColor(0, 0);
+    this.#renderer.setScissorTest(true);
+  }
 
   /** Draws before the next repaint, once, however often it is asked to. */
   #requestDraw(): void {
