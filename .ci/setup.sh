@@ -9,8 +9,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 to_start=(g++ cmake ninja-build libglm-dev emscripten)
-to_test=(libgtest-dev libgmock-dev chromium clang libclang-rt-dev clang-format clang-tidy python3-vtk9 python3-numpy
-    valgrind)
+to_test=(libgtest-dev libgmock-dev libcgal-dev chromium clang libclang-rt-dev clang-format clang-tidy python3-vtk9
+    python3-numpy valgrind)
 to_bench=(libbenchmark-dev python3-vtk9 python3-numpy)
 
 packages=("${to_start[@]}")
@@ -63,7 +63,7 @@ check_tools() {
     done
     if [ ${#missing[@]} != 0 ]; then
         echo "Not found: ${missing[*]}. Needed are a C++20 compiler, CMake 3.22, Ninja, GLM and Emscripten (em++ on the" >&2
-        echo "PATH); for the tests also GoogleTest, Chromium, clang-format and clang-tidy." >&2
+        echo "PATH); for the tests also GoogleTest, CGAL, Chromium, clang-format and clang-tidy." >&2
         exit 1
     fi
 }
