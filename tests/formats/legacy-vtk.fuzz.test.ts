@@ -25,11 +25,14 @@ const words =
   'bit char int float double string utf8_string variant vtktypeint64 __proto__ constructor';
 
 const change = fc.record({
-  how: fc.constantFrom('replace', 'insert', 'remove', 'repeat', 'swap'),
+  how: fc.constantFrom('replace', 'insert', 'remove', 'repeat', 'swap', 'copy', 'move'),
   part: fc.nat(),
   word: fc.nat(),
   by: fc.constantFrom(...words.split(' ')),
 });
+
+/** Enough for a whole array with its head and its metadata. */
+const longestRun = 8;
 
 type Change = typeof change extends fc.Arbitrary<infer Value> ? Value : never;
 
@@ -38,6 +41,9 @@ function changed(parts: Part[], { how, part, word, by }: Change): Part[] {
   const chosen = parts[at];
   if (how === 'remove') return parts.toSpliced(at, 1);
   if (how === 'repeat') return parts.toSpliced(at, 0, chosen);
+  const run = parts.slice(at, at + 1 + (word % longestRun));
+  if (how === 'copy') return parts.toSpliced(word % parts.length, 0, ...run);
+  if (how === 'move') return parts.toSpliced(at, run.length).toSpliced(word % parts.length, 0, ...run);
   if (how === 'swap') return parts.with(at, parts[word % parts.length]).with(word % parts.length, chosen);
   if (typeof chosen !== 'string') return parts.with(at, chosen.subarray(0, word % (chosen.length + 1)));
   const old = chosen.split(' ');

@@ -163,8 +163,32 @@ describe('a legacy VTK file', () => {
     ],
     ['with endless texts', `${geometry}POINT_DATA 3\nFIELD f 1\na 999999999 3 string\nx\n`, 'truncated', '“a”'],
     ['with a name that is not UTF-8', `${geometry}POINT_DATA 3\nSCALARS %FF int\n1 2 3\n`, 'bad_encoding', '“%FF”'],
+    [
+      'with points twice',
+      `${geometry}POINT_DATA 3\n${points.replace('3 float', '2 float')}`,
+      'bad_header',
+      'POINTS',
+      'line 10',
+    ],
+    ['with polygons twice', geometry + triangle, 'bad_header', 'POLYGONS a second time', 'line 9'],
+    [
+      'with data before its points',
+      `${head}POINT_DATA 0\nSCALARS a float\n${points}${triangle}`,
+      'bad_header',
+      'POINT_DATA stands before',
+      'line 5',
+    ],
   ] as const)('%s is refused', async (_, file, code, ...words) => {
     await expectFault(file, code, ...words);
+  });
+
+  it.each([
+    ['an array', 'SCALARS @ float\n1 2 3\n'],
+    ['a unit', 'FIELD f 1\na 1 3 int\n1 2 3\nMETADATA\nINFORMATION 1\nNAME UNITS_LABEL LOCATION x\nDATA @\n\n'],
+    ['a component', 'FIELD f 1\na 1 3 int\n1 2 3\nMETADATA\nCOMPONENT_NAMES\n@\n\n'],
+  ])('with the raw bytes of another encoding as the name of %s is refused', async (_, text) => {
+    const latin1 = bytesOf(`${geometry}POINT_DATA 3\n${text}`).map((byte) => (byte === 64 ? 0xe4 : byte));
+    await expectFault(latin1, 'bad_encoding', 'UTF-8', 'line');
   });
 
   it('of version 5 with contradicting offsets is refused', async () => {

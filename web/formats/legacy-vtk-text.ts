@@ -92,13 +92,18 @@ export class LegacyVtkText {
   }
 }
 
+/** What a decoder puts in the place of bytes that are no UTF-8. */
+const undecoded = '\u{FFFD}';
+
 /** Names are written with %XX for what is neither letter nor digit nor sign. */
 export function decodeName(word: string, place: string): string {
+  const notUtf8 = () => new FormatError('bad_encoding', `The name ${quoted(word)} is not UTF-8 (${place}).`, place);
+  if (word.includes(undecoded)) throw notUtf8();
   const parts = word.match(/(%[0-9A-Fa-f]{2})+|[^%]+|%/g) ?? [];
   try {
     return parts.map((part) => (/^%../.test(part) ? decodeURIComponent(part) : part)).join('');
   } catch {
-    throw new FormatError('bad_encoding', `The name ${quoted(word)} is not UTF-8 (${place}).`, place);
+    throw notUtf8();
   }
 }
 

@@ -14,6 +14,8 @@ import { counted, grouped, listed, quoted } from './wording.ts';
 
 interface Parts {
   version: number;
+  /** Keywords of what has been read and cannot come again. */
+  found: Set<string>;
   position: PointArray | undefined;
   polygons: Polygons;
   strips: Polygons;
@@ -50,7 +52,7 @@ function newParts(version: number): Parts {
   const none = (noun: string): Attributes => ({ noun, tuples: undefined, arrays: [], lost: [] });
   const [points, cells, file] = [none('point data'), none('cell data'), none('field data')];
   const shape = { position: undefined, polygons: noPolygons, strips: noPolygons, verts: 0, lines: 0 };
-  return { version, ...shape, colourMaps: [], points, cells, file, labels: noLabels() };
+  return { version, found: new Set(), ...shape, colourMaps: [], points, cells, file, labels: noLabels() };
 }
 
 /** The four lines that every file begins with; returns the version's first number. */
@@ -76,9 +78,13 @@ function readHead(text: LegacyVtkText): number {
   return Number(version ?? 1);
 }
 
+/** What a surface has once: a second one would contradict the first. */
+const single = new Set(['POINTS', 'POLYGONS', 'TRIANGLE_STRIPS', 'VERTICES', 'LINES']);
+
 /** Reads what a keyword announces; returns the attributes that the arrays from here on belong to. */
 function readSection(words: string[], text: LegacyVtkText, parts: Parts, attributes: Attributes): Attributes {
   const keyword = words[0].toUpperCase();
+  if (single.has(keyword)) requireFirst(keyword, text, parts.found);
   if (keyword === 'POINTS') readPoints(words, text, parts);
   else if (keyword === 'POLYGONS') parts.polygons = readCells(words, text, parts.version);
   else if (keyword === 'TRIANGLE_STRIPS') parts.strips = readCells(words, text, parts.version);
@@ -93,6 +99,13 @@ function readSection(words: string[], text: LegacyVtkText, parts: Parts, attribu
   return attributes;
 }
 
+function requireFirst(keyword: string, text: LegacyVtkText, found: Set<string>): void {
+  if (found.has(keyword)) {
+    throw new FormatError('bad_header', `There are ${keyword} a second time (${text.place()}).`, text.place());
+  }
+  found.add(keyword);
+}
+
 function readPoints([, count, typeWord]: string[], text: LegacyVtkText, parts: Parts): void {
   const type = typeOf(typeWord, text);
   const values = text.numbers(type, 3 * countOf(count, text), 'array “POINTS”');
@@ -101,8 +114,11 @@ function readPoints([, count, typeWord]: string[], text: LegacyVtkText, parts: P
 }
 
 function beginPointData(words: string[], text: LegacyVtkText, parts: Parts): Attributes {
+  if (!parts.position) {
+    throw new FormatError('bad_header', `POINT_DATA stands before the POINTS (${text.place()}).`, text.place());
+  }
   const tuples = countOf(words[1], text);
-  const points = (parts.position?.values.length ?? 0) / 3;
+  const points = parts.position.values.length / 3;
   if (tuples !== points) {
     const message = `POINT_DATA is for ${counted(tuples, 'point')}, but the file has ${grouped(points)} (${text.place()}).`;
     throw new FormatError('count_mismatch', message, text.place());
