@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <emscripten/bind.h>
+#include <emscripten/heap.h>
 #include <emscripten/val.h>
 
 #include "from_js.hpp"
@@ -119,6 +120,9 @@ val inspect_mesh(const val& mesh) {
     });
 }
 
+/// In bytes; a number of JavaScript, which a size of 4 GB does not overflow.
+double memory_size() { return static_cast<double>(emscripten_get_heap_size()); }
+
 } // namespace
 
 EMSCRIPTEN_BINDINGS(meshbound) {
@@ -126,6 +130,7 @@ EMSCRIPTEN_BINDINGS(meshbound) {
     emscripten::function("reduceLevels", &reduce_mesh_to_levels);
     emscripten::function("segment", &segment_mesh);
     emscripten::function("inspect", &inspect_mesh);
+    emscripten::function("memorySize", &memory_size);
 }
 
 } // namespace meshbound::js

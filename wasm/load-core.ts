@@ -10,6 +10,8 @@ export interface Core {
   reduceLevels(mesh: Mesh, options: CoreLevelsOptions, goOn: (progress: number) => boolean): Outcome<Levels>;
   segment(mesh: Mesh, reduction: MappedReduction, goOn: (progress: number) => boolean): Outcome<Segmentation>;
   inspect(mesh: Mesh): Outcome<Inspection>;
+  /** How much memory the module has taken, in bytes; it never gives any back. */
+  memorySize(): number;
 }
 
 const binary = new URL('../build/wasm/meshbound.wasm', import.meta.url);

@@ -26,5 +26,5 @@ export interface Request {
   cancel?: Int32Array<SharedArrayBuffer>;
 }
 
-/** From the worker: any number of progress messages, then the outcome. */
-export type Answer = { progress: number } | { outcome: Outcome<Value> };
+/** From the worker: any number of progress messages, then the outcome, with how much memory the worker holds by now. */
+export type Answer = { progress: number } | { outcome: Outcome<Value>; memory: number };

@@ -19,9 +19,19 @@ interface Watchers {
   onProgress?: (progress: number) => void;
 }
 
-/** Runs tasks one after the other in one worker, which is started at the first and kept for all. */
+/** WebAssembly never gives memory back. A worker may keep this much of it, in bytes, whatever it is asked next… */
+const keptMemory = 128 * 2 ** 20;
+/** …and so many times what the arrays of its next task take; a reduction takes some 25 times that. */
+const keptRatio = 100;
+
+/**
+ * Runs tasks one after the other in one worker, which is started at the first and kept for all; only a worker that a large
+ * task has left with memory that a small one does not need makes room for another.
+ */
 export class TaskQueue {
   private worker: WorkerThread | undefined;
+  /** What the worker holds since its last task, in bytes. */
+  private memory = 0;
   private running: Job | undefined;
   private readonly waiting: Job[] = [];
 
@@ -59,8 +69,12 @@ export class TaskQueue {
     this.running = this.waiting.shift();
     if (this.running) {
       const { task, cancel } = this.running;
+      const arrays = transferables(task);
+      if (this.memory > Math.max(keptMemory, keptRatio * sizeOf(arrays))) {
+        this.stopWorker();
+      }
       this.worker ??= this.start();
-      this.worker.post({ task, cancel }, transferables(task));
+      this.worker.post({ task, cancel }, arrays);
     }
   }
 
@@ -86,6 +100,7 @@ export class TaskQueue {
       return;
     }
     if ('outcome' in answer) {
+      this.memory = answer.memory;
       this.finish(job, answer.outcome);
     } else if (!job.aborted) {
       job.onProgress?.(answer.progress);
@@ -129,7 +144,12 @@ export class TaskQueue {
   private stopWorker(): void {
     this.worker?.terminate();
     this.worker = undefined;
+    this.memory = 0;
   }
+}
+
+function sizeOf(arrays: ArrayBuffer[]): number {
+  return arrays.reduce((sum, { byteLength }) => sum + byteLength, 0);
 }
 
 /** WebAssembly never gives memory back, and after a trap its state is unknown. */

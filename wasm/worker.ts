@@ -1,24 +1,24 @@
 import { isRaised } from './cancel-flag.ts';
 import { type Core, loadCore } from './load-core.ts';
-import type { Answer, Outcome, Request } from './messages.ts';
+import type { Answer, Outcome, Request, Value } from './messages.ts';
 import { transferables } from './transferables.ts';
 import { type ParentPort, parentPort } from './worker-port.ts';
 
-function perform(core: Core, { task, cancel }: Request, port: ParentPort): Answer {
+function perform(core: Core, { task, cancel }: Request, port: ParentPort): Outcome<Value> {
   if (task.kind === 'inspect') {
-    return { outcome: core.inspect(task.mesh) };
+    return core.inspect(task.mesh);
   }
   const goOn = (progress: number): boolean => {
     port.post({ progress });
     return !isRaised(cancel);
   };
   if (task.kind === 'reduceLevels') {
-    return { outcome: core.reduceLevels(task.mesh, task.options, goOn) };
+    return core.reduceLevels(task.mesh, task.options, goOn);
   }
   if (task.kind === 'segment') {
-    return { outcome: core.segment(task.mesh, task.reduction, goOn) };
+    return core.segment(task.mesh, task.reduction, goOn);
   }
-  return { outcome: core.reduce(task.mesh, task.options, goOn) };
+  return core.reduce(task.mesh, task.options, goOn);
 }
 
 /** A trap or an exception of JavaScript: never the caller's fault. */
@@ -32,9 +32,10 @@ const core = loadCore();
 port.onRequest(async (request) => {
   let answer: Answer;
   try {
-    answer = perform(await core, request, port);
+    const loaded = await core;
+    answer = { outcome: perform(loaded, request, port), memory: loaded.memorySize() };
   } catch (error) {
-    answer = { outcome: unexpected(error) };
+    answer = { outcome: unexpected(error), memory: 0 };
   }
   port.post(answer, transferables(answer));
 });

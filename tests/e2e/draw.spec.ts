@@ -1,7 +1,6 @@
 import { expect, test } from '@playwright/test';
-import { chooseFile, counts, look, openPage, settled, sharePage, typePercent } from './open-page.ts';
+import { look, openPage, sharePage, typePercent } from './open-page.ts';
 import { coverage, difference, pictureOf, shareFromMap } from './picture.ts';
-import { sheet } from './surfaces.ts';
 
 const sides = ['original', 'reduced'] as const;
 
@@ -104,39 +103,4 @@ test('reduces and says so where nothing can be drawn', async ({ page }) => {
   });
   await openPage(page);
   await expect(page.getByRole('alert')).toContainText('no WebGL 2');
-});
-
-test('gives back the memory of the graphics card when a surface is replaced', async ({ page }) => {
-  await page.addInitScript(() => {
-    const context = WebGL2RenderingContext.prototype;
-    const live = { buffers: 0, textures: 0 };
-    const { createBuffer, deleteBuffer, createTexture, deleteTexture } = context;
-    context.createBuffer = function () {
-      live.buffers++;
-      return createBuffer.call(this);
-    };
-    context.deleteBuffer = function (buffer) {
-      live.buffers--;
-      deleteBuffer.call(this, buffer);
-    };
-    context.createTexture = function () {
-      live.textures++;
-      return createTexture.call(this);
-    };
-    context.deleteTexture = function (texture) {
-      live.textures--;
-      deleteTexture.call(this, texture);
-    };
-    Object.assign(window, { liveOnCard: live });
-  });
-  const live = () => page.evaluate(() => ({ ...(window as unknown as { liveOnCard: object }).liveOnCard }));
-  await openPage(page);
-  await expect.poll(async () => coverage(await pictureOf(page, 'reduced'))).toBeGreaterThan(0.1);
-  await settled(page);
-  const first = await live();
-  for (const side of [12, 14, 16, 18]) {
-    await chooseFile(page, 'sheet.ply', sheet(side));
-    await expect.poll(async () => (await counts(page)).before).toBe(2 * (side - 1) ** 2);
-    await expect.poll(live).toEqual(first);
-  }
 });
