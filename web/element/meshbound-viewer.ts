@@ -16,7 +16,8 @@ import { LevelView } from './level-view.ts';
 import './notices.ts';
 import { percentText } from './number-text.ts';
 import { overall, type Phase, type Step, stepOf } from './progress.ts';
-import { isMeasured, promiseSentence } from './promise-words.ts';
+import { isMeasured } from './promise-words.ts';
+import './result-bar.ts';
 import type { Stage } from './stage.ts';
 import './stage.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
@@ -67,6 +68,7 @@ const lazyMargin = '200px';
  * @csspart progress - How far the work is: a line at the lower edge of the stage.
  * @csspart controls - The bar of controls above the stage.
  * @csspart sentence - The result in words below the stage.
+ * @csspart numbers - Beside it, how far the work is, or what it brought.
  *
  * @cssprop --meshbound-stage - Behind the surfaces.
  * @cssprop --meshbound-panel - Behind controls and messages.
@@ -180,12 +182,9 @@ export class MeshboundViewer extends LitElement implements WantedView {
       meshbound-bound-slider {
         flex: 1;
       }
-      .sentence {
-        /* Room for two lines, so that the stage keeps its height. */
-        min-height: calc(2 * 1.4em + 17px);
+      meshbound-result-bar {
         padding: 8px 12px;
         border-top: 1px solid var(--line);
-        overflow-wrap: anywhere;
       }
     `,
   ];
@@ -457,7 +456,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
           @dismiss=${({ detail }: CustomEvent<number>) => this.session.dismiss(detail)}
         ></meshbound-notices>
       </div>
-      ${this.controls ? this.#sentence() : nothing}
+      ${this.controls ? this.#result() : nothing}
     `;
   }
 
@@ -500,10 +499,19 @@ export class MeshboundViewer extends LitElement implements WantedView {
     </div>`;
   }
 
-  #sentence() {
+  #result() {
+    const { opening, progress, cancelled } = this.session.state;
     const reduction = this.shown?.result;
-    const text = reduction ? promiseSentence(reduction.report, isMeasured(reduction)) : '';
-    return html`<p class="sentence" part="sentence" role="status">${text}</p>`;
+    return html`<meshbound-result-bar
+      exportparts="sentence, numbers"
+      .report=${reduction?.report ?? null}
+      .measured=${!reduction || isMeasured(reduction)}
+      .opening=${opening}
+      .progress=${progress}
+      .cancelled=${cancelled}
+      @cancel=${() => this.abort()}
+      @reduce-again=${() => this.session.reduceAgain()}
+    ></meshbound-result-bar>`;
   }
 
   get #stage(): Stage | null {

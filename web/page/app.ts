@@ -14,8 +14,7 @@ import { controlsStyle } from '../element/controls-style.ts';
 import { isMeasured } from '../element/promise-words.ts';
 import { tokens } from '../element/tokens.ts';
 import { FileDrop } from './file-drop.ts';
-import './result-bar.ts';
-
+import '../element/result-bar.ts';
 import './levels-panel.ts';
 import { Link } from './link.ts';
 import type { MenuItem } from './menu.ts';

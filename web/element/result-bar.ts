@@ -1,13 +1,16 @@
 import { css, html, LitElement, nothing } from 'lit';
 import type { Report } from '../../wasm/types.ts';
-import { controlsStyle } from '../element/controls-style.ts';
-import { percentText, secondsText } from '../element/number-text.ts';
-import { openingText } from '../element/progress.ts';
-import { promiseSentence } from '../element/promise-words.ts';
 import type { Opening } from '../session/session.ts';
+import { controlsStyle } from './controls-style.ts';
+import { percentText, secondsText } from './number-text.ts';
+import { openingText } from './progress.ts';
+import { promiseSentence } from './promise-words.ts';
 
 /**
  * The result as one sentence, what it cost, and, in its slot, where to take it.
+ *
+ * @csspart sentence
+ * @csspart numbers
  *
  * @fires cancel
  * @fires reduce-again
@@ -83,10 +86,10 @@ export class ResultBar extends LitElement {
 
   override render() {
     return html`
-      <p class="sentence ${this.progress === null ? '' : 'provisional'}" role="status">
+      <p part="sentence" class="sentence ${this.progress === null ? '' : 'provisional'}" role="status">
         ${this.report ? promiseSentence(this.report, this.measured) : ''}
       </p>
-      <span class="numbers soft">${this.#numbers()}</span>
+      <span part="numbers" class="numbers soft">${this.#numbers()}</span>
       <slot></slot>
     `;
   }
