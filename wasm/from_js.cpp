@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace meshbound::js {
@@ -86,6 +87,23 @@ Cost cost_from(const std::string& name) {
     refuse_option("cost", name);
 }
 
+glm::dvec3 point_from(const val& numbers) {
+    const auto number = [&](int axis) {
+        const val given = numbers[axis];
+        return given.isNumber() ? given.as<double>() : std::numeric_limits<double>::quiet_NaN();
+    };
+    return {number(0), number(1), number(2)};
+}
+
+std::vector<Box> boxes_from(const val& boxes) {
+    std::vector<Box> result;
+    const auto count = boxes["length"].as<std::size_t>();
+    for (std::size_t i = 0; i < count; ++i) {
+        result.push_back({point_from(boxes[i]["lowest"]), point_from(boxes[i]["highest"])});
+    }
+    return result;
+}
+
 SurfaceMap map_from(const val& map) {
     const auto triangle = vector_from<std::uint32_t>(map["triangle"]);
     const auto barycentric = vector_from<double>(map["barycentric"]);
@@ -151,6 +169,12 @@ Options options_from(const val& options) {
     read_flag(options, "chooseCrossings", result.choose_crossings);
     if (const val locked = options["locked"]; !locked.isUndefined()) {
         result.locked = vector_from<std::uint32_t>(locked);
+    }
+    if (const val boxes = options["lockedBoxes"]; !boxes.isUndefined()) {
+        result.locked_boxes = boxes_from(boxes);
+    }
+    if (const val focus = options["focus"]; !focus.isUndefined()) {
+        result.focus = focus.as<std::string>();
     }
     return result;
 }

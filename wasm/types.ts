@@ -17,6 +17,12 @@ export interface Mesh {
 /** The largest allowed error: a fraction of the variable's extent, a value in its unit, or none. */
 export type Bound = { relative: number } | { absolute: number } | 'free';
 
+/** A box along the axes, in the unit of position; its faces belong to it. */
+export interface Box {
+  lowest: [number, number, number];
+  highest: [number, number, number];
+}
+
 export interface ReduceOptions {
   /** By variable name; `position` is the geometry, `*` every variable not named. A variable that none reaches is free. */
   bounds: Record<string, Bound>;
@@ -31,6 +37,13 @@ export interface ReduceOptions {
   cost?: 'maximum' | 'introduced';
   /** Vertices that must stay. */
   locked?: Uint32Array;
+  /** What must stay as it is: every triangle whose own box meets one of these boxes, with its vertices. */
+  lockedBoxes?: Box[];
+  /**
+   * The name of a variable with one component, above zero everywhere, which multiplies every bound: at a point where the
+   * original has the multiplier m, no error exceeds m times the bound. It is carried along like any other variable.
+   */
+  focus?: string;
   /**
    * Hand the mesh's arrays over instead of copying them: they are detached (empty) afterwards. Saves one copy of a large
    * mesh. Default: false, they stay the caller's.
@@ -60,7 +73,7 @@ export interface VariableReport {
   /** The bound in the variable's unit; Infinity where it is free. */
   bound: number;
   error: number;
-  /** error / bound; 1 is the limit; 0 where it is free. */
+  /** The largest of error / bound, multiplied by the focus as it is there; 1 is the limit; 0 where it is free. */
   ratio: number;
   /** Vertices still there because removing them would break this variable's bound. */
   refused: number;

@@ -18,6 +18,7 @@ struct Measured {
 /// The error of one variable on one triangle, in bounds (free variables: in units of their scale).
 struct ErrorRange {
     double largest = 0;             ///< no point mapped into the triangle has a larger error
+    double ratio = 0;               ///< nor a larger one in multiples of its bound where it came from
     double lowest = 0, highest = 0; ///< signed; of position: the distance along the normal
 };
 

@@ -5,19 +5,40 @@
 
 namespace meshbound {
 
-Status check_options(const Mesh& mesh, const Options& options) {
-    const std::vector<double>& sweeps = options.sweeps;
-    const bool rising = std::adjacent_find(sweeps.begin(), sweeps.end(), [](double a, double b) { return !(a < b); }) ==
-                        sweeps.end(); // NaN fails
-    if (sweeps.empty() || !(sweeps.front() > 0) || sweeps.back() != 1 || !rising)
-        return {Fault::bad_option, "The sweeps must be rising fractions above 0, the last one 1.", "", {}};
+namespace {
+
+/// NaN fails.
+bool is_box(const Box& box) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(box.lowest[axis] <= box.highest[axis])) return false;
+    return true;
+}
+
+Status check_locks(const Mesh& mesh, const Options& options) {
     for (std::size_t i = 0; i < options.locked.size(); ++i)
         if (options.locked[i] >= vertex_count(mesh))
             return {Fault::bad_option,
                     "Locked vertex " + std::to_string(options.locked[i]) + " does not exist; the mesh has " +
                         std::to_string(vertex_count(mesh)) + " vertices (counted from 0).",
                     "", i};
+    for (std::size_t i = 0; i < options.locked_boxes.size(); ++i)
+        if (!is_box(options.locked_boxes[i]))
+            return {Fault::bad_option,
+                    "Locked box " + std::to_string(i) +
+                        " (counted from 0) is none: along some axis its lowest place is not below its highest.",
+                    "", i};
     return {};
+}
+
+} // namespace
+
+Status check_options(const Mesh& mesh, const Options& options) {
+    const std::vector<double>& sweeps = options.sweeps;
+    const bool rising = std::adjacent_find(sweeps.begin(), sweeps.end(), [](double a, double b) { return !(a < b); }) ==
+                        sweeps.end(); // NaN fails
+    if (sweeps.empty() || !(sweeps.front() > 0) || sweeps.back() != 1 || !rising)
+        return {Fault::bad_option, "The sweeps must be rising fractions above 0, the last one 1.", "", {}};
+    return check_locks(mesh, options);
 }
 
 } // namespace meshbound

@@ -24,7 +24,8 @@ auto Laying::difference(const Piece& piece, const NewCrossing& crossing) const {
 }
 
 double Laying::error(const Piece& piece, const NewCrossing& crossing) const {
-    return rows_.squared_ratio(difference(piece, crossing));
+    return rows_.multipliers().scale_between(map_.edges.lower(piece.original), map_.edges.upper(piece.original),
+                                             crossing.s, rows_.squared_ratio(difference(piece, crossing)));
 }
 
 bool Laying::lay(const Hole& hole, HoleTree& tree, const Settling& settling, const std::vector<Piece>& pieces,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "check_options.hpp"
+#include "focus.hpp"
 #include "reduction_run.hpp"
 #include "ticker.hpp"
 
@@ -106,6 +107,8 @@ Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const 
         LevelBounds resolved;
         if (Status status = resolve_levels(mesh, bounds, resolved); !status.ok()) return status;
         if (Status status = check_options(mesh, options.reduction); !status.ok()) return status;
+        for (const std::vector<ResolvedBound>& bounds_of_level : resolved)
+            if (Status status = check_focus(mesh, bounds_of_level, options.reduction); !status.ok()) return status;
         ticker.ask();
         levels = reduce_all(mesh, resolved, options, oddities, ticker);
         ticker.finish();

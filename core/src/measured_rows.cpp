@@ -2,7 +2,7 @@
 
 namespace meshbound {
 
-MeasuredRows::MeasuredRows(const Rows& rows, std::size_t vertices) {
+MeasuredRows::MeasuredRows(const Rows& rows, std::size_t vertices) : multipliers_(&rows.multipliers()) {
     std::vector<int> source; // by packed component: component of the full row, or -1 for padding
     const auto pad = [&] {
         if (source.size() % 2) source.push_back(-1);

@@ -19,10 +19,12 @@ using Lane = double __attribute__((vector_size(16)));
 ///     position (3), pressure, temperature, energy:   | x y | z 0 | p t | e 0 |   two lanes of position, two of scalars
 class MeasuredRows {
 public:
+    /// The rows outlive it.
     explicit MeasuredRows(const Rows& rows, std::size_t vertices);
 
     const double* operator[](std::uint32_t vertex) const { return values_.data() + vertex * 2 * std::size_t(lanes_); }
     int lanes() const { return lanes_; }
+    const Multipliers& multipliers() const { return *multipliers_; }
     /// How many variables are bounded, position among them.
     double variables() const { return static_cast<double>(vectors_.size() + scalar_variables_.size()); }
     static Lane lane(const double* row, int i) {
@@ -101,6 +103,7 @@ private:
         int first = 0, end = 0; // lanes
         std::size_t variable = 0;
     };
+    const Multipliers* multipliers_; // of the rows
     int lanes_ = 0;
     int scalars_ = 0; // first lane of the scalars
     std::vector<Vector> vectors_;

@@ -5,8 +5,9 @@
 
 namespace meshbound {
 
-PropagatedRemoval::PropagatedRemoval(const Rows& rows, std::vector<ErrorInterval>& intervals, Cost cost)
-    : rows_(rows), intervals_(intervals), charged_(cost), introduced_(width()) {}
+PropagatedRemoval::PropagatedRemoval(const Rows& rows, std::vector<ErrorInterval>& intervals,
+                                     std::vector<double>& least, Cost cost)
+    : rows_(rows), intervals_(intervals), least_(least), charged_(cost), introduced_(width()) {}
 
 void PropagatedRemoval::enter(const Hole& hole) {
     hole_ = &hole;
@@ -27,7 +28,7 @@ double PropagatedRemoval::triangle(int a, int m, int b) {
         return holds_candidate(*hole_, a, m, b) ? squared_ratio(map_.candidate(a, m, b), rows_.groups()) : 0;
     fresh_.resize(width());
     propagate(a, m, b, fresh_.data());
-    return worst(fresh_.data()).squared_ratio;
+    return worst(fresh_.data(), least_multiplier(a, m, b)).squared_ratio;
 }
 
 /// The interval of a new triangle: the hull over its pieces, one in each sector that it overlaps.
@@ -62,7 +63,17 @@ void PropagatedRemoval::add_piece(int a, int m, int b, int sector, const double*
         fresh[i].include({old[i].lowest + introduced_[i].lowest, old[i].highest + introduced_[i].highest});
 }
 
-Measured PropagatedRemoval::worst(const ErrorInterval* intervals) const {
+/// No point that reaches the new triangle has a lower one: they come from the sectors that it overlaps.
+double PropagatedRemoval::least_multiplier(int a, int m, int b) const {
+    if (least_.empty()) return 1;
+    const RingRun sectors = overlapped_sectors(*hole_, a, m, b);
+    double least = std::numeric_limits<double>::infinity();
+    for (int n = 0; n < sectors.count; ++n)
+        least = std::min(least, least_[hole_->slots[static_cast<std::size_t>((sectors.first + n) % hole_->size())]]);
+    return least;
+}
+
+Measured PropagatedRemoval::worst(const ErrorInterval* intervals, double multiplier) const {
     Measured measured;
     for (const RowGroup& group : rows_.groups()) {
         if (!group.bounded) continue;
@@ -73,16 +84,20 @@ Measured PropagatedRemoval::worst(const ErrorInterval* intervals) const {
         }
         if (square > measured.squared_ratio) measured = {square, group.variable};
     }
+    measured.squared_ratio /= multiplier * multiplier;
     return measured;
 }
 
 Measured PropagatedRemoval::measure(const Retriangulation& retriangulation, double squared_limit) {
     Measured measured;
     fresh_.resize(retriangulation.triangles.size() * width());
+    fresh_least_.clear();
     ErrorInterval* fresh = fresh_.data();
     for (const NewTriangle& triangle : retriangulation.triangles) {
         propagate(triangle.a, triangle.m, triangle.b, fresh);
-        if (const Measured here = worst(fresh); here.squared_ratio > measured.squared_ratio) measured = here;
+        fresh_least_.push_back(least_multiplier(triangle.a, triangle.m, triangle.b));
+        if (const Measured here = worst(fresh, fresh_least_.back()); here.squared_ratio > measured.squared_ratio)
+            measured = here;
         if (measured.squared_ratio > squared_limit) break;
         fresh += width();
     }
@@ -92,6 +107,9 @@ Measured PropagatedRemoval::measure(const Retriangulation& retriangulation, doub
 void PropagatedRemoval::commit(const Retriangulation& retriangulation) {
     const ErrorInterval* fresh = fresh_.data();
     for (const NewTriangle& triangle : retriangulation.triangles) {
+        if (!least_.empty())
+            least_[triangle.slot] =
+                fresh_least_[static_cast<std::size_t>(&triangle - retriangulation.triangles.data())];
         std::copy(fresh, fresh + width(), &intervals_[triangle.slot * width()]);
         fresh += width();
     }

@@ -13,7 +13,8 @@ namespace meshbound {
 class PropagatedRemoval final : public RemovalAccounting, private HoleCost {
 public:
     /// `intervals`: [slot * (width of a row + 1) + component].
-    PropagatedRemoval(const Rows& rows, std::vector<ErrorInterval>& intervals, Cost cost);
+    /// `least`: by slot the least multiplier; empty where the bounds do not vary.
+    PropagatedRemoval(const Rows& rows, std::vector<ErrorInterval>& intervals, std::vector<double>& least, Cost cost);
 
     void enter(const Hole& hole) override;
     HoleCost& cost() override { return *this; }
@@ -27,15 +28,18 @@ private:
 
     void propagate(int a, int m, int b, ErrorInterval* fresh);
     void add_piece(int a, int m, int b, int sector, const double* candidate, ErrorInterval* fresh);
-    Measured worst(const ErrorInterval* intervals) const;
+    double least_multiplier(int a, int m, int b) const;
+    Measured worst(const ErrorInterval* intervals, double multiplier) const;
     std::size_t width() const { return static_cast<std::size_t>(rows_.width()) + 1; }
 
     const Rows& rows_;
     std::vector<ErrorInterval>& intervals_;
+    std::vector<double>& least_;
     Cost charged_;
     const Hole* hole_ = nullptr;
     StarMap map_;
     std::vector<ErrorInterval> fresh_; // as intervals_, for the new triangles of the removal measured last
+    std::vector<double> fresh_least_;  // as least_, for the same
     std::vector<ErrorInterval> introduced_;
 };
 

@@ -1,16 +1,22 @@
 #include "propagation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "propagated_removal.hpp"
 
 namespace meshbound {
 
-Propagation::Propagation(const Rows& rows, std::size_t slots, Cost cost)
-    : rows_(&rows), charged_(cost), intervals_(slots * width()) {}
+Propagation::Propagation(const Rows& rows, const Surface& surface, Cost cost)
+    : rows_(&rows), charged_(cost), intervals_(surface.slot_count() * width()) {
+    if (!rows.multipliers().vary()) return;
+    const auto multiplier = [&](std::uint32_t h) { return rows.multipliers().at(surface.origin(h)); };
+    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot)
+        least_.push_back(std::min({multiplier(3 * slot), multiplier(3 * slot + 1), multiplier(3 * slot + 2)}));
+}
 
 std::unique_ptr<RemovalAccounting> Propagation::removals() {
-    return std::make_unique<PropagatedRemoval>(*rows_, intervals_, charged_);
+    return std::make_unique<PropagatedRemoval>(*rows_, intervals_, least_, charged_);
 }
 
 void Propagation::measure_in(const Rows& rows) {
@@ -36,7 +42,8 @@ void Propagation::errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) co
         for (int i = group.first; i < group.first + group.count; ++i)
             square += intervals[i].magnitude() * intervals[i].magnitude();
         const ErrorInterval& sign = group.variable == 0 ? intervals[rows_->width()] : intervals[group.first];
-        ranges.push_back({std::sqrt(square), sign.lowest, sign.highest});
+        const double largest = std::sqrt(square);
+        ranges.push_back({largest, least_.empty() ? largest : largest / least_[slot], sign.lowest, sign.highest});
     }
 }
 

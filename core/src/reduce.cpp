@@ -4,6 +4,7 @@
 #include <string>
 
 #include "check_options.hpp"
+#include "focus.hpp"
 #include "reduction_run.hpp"
 #include "ticker.hpp"
 
@@ -18,6 +19,7 @@ Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Re
         std::vector<ResolvedBound> resolved;
         if (Status status = resolve_bounds(mesh, bounds, resolved); !status.ok()) return status;
         if (Status status = check_options(mesh, options); !status.ok()) return status;
+        if (Status status = check_focus(mesh, resolved, options); !status.ok()) return status;
         ticker.ask();
         reduction = ReductionRun(mesh, options, oddities, ticker).reduce_within(resolved, {});
         ticker.finish();

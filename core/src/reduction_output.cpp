@@ -61,7 +61,7 @@ void extract_errors(const Surface& surface, const Rows& rows, const Accounting& 
             TriangleErrors& errors = reduction.triangle_errors[group.variable];
             VariableReport& report = reduction.report.variables[group.variable];
             report.error = std::max(report.error, range.largest * unit);
-            if (group.bounded) report.ratio = std::max(report.ratio, range.largest);
+            if (group.bounded) report.ratio = std::max(report.ratio, range.ratio);
             errors.largest.push_back(upper_float(range.largest * unit));
             if (group.count > 1 && group.variable != 0) continue;
             errors.lowest.push_back(-upper_float(-range.lowest * unit));
@@ -85,9 +85,9 @@ void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::v
     }
 }
 
-void report_limits(Report& report) {
+void report_limits(const Multipliers& multipliers, Report& report) {
     for (VariableReport& variable : report.variables) {
-        variable.error = variable.bound.absolute;
+        variable.error = multipliers.most() * variable.bound.absolute;
         variable.ratio = std::isfinite(variable.bound.absolute) ? 1 : 0;
     }
 }

@@ -31,6 +31,6 @@ void extract_errors(const Surface& surface, const Rows& rows, const Accounting& 
 void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate, Report& report);
 
 /// A cancelled result says of its errors what the sweeps made sure of, without looking at every triangle.
-void report_limits(Report& report);
+void report_limits(const Multipliers& multipliers, Report& report);
 
 } // namespace meshbound

@@ -4,6 +4,8 @@
 #include <thread>
 #include <utility>
 
+#include "focus.hpp"
+#include "locks.hpp"
 #include "map_output.hpp"
 #include "meshbound/segmentation.hpp"
 #include "propagation.hpp"
@@ -21,12 +23,12 @@ constexpr double sweeping_share = 0.9;
 constexpr unsigned most_threads = 64;
 
 /// Interior and boundary vertices are candidates unless the user locked them (§3.1: all vertices are candidates).
-std::vector<char> find_candidates(const Surface& surface, const std::vector<std::uint32_t>& locked) {
+std::vector<char> find_candidates(const Mesh& mesh, const Surface& surface, const Options& options) {
     std::vector<char> candidate(surface.vertex_count(), 0);
     for (std::uint32_t vertex = 0; vertex < candidate.size(); ++vertex)
         candidate[vertex] =
             surface.kind(vertex) == VertexKind::interior || surface.kind(vertex) == VertexKind::boundary;
-    for (const std::uint32_t vertex : locked) candidate[vertex] = 0;
+    for (const std::uint32_t vertex : locked_vertices(mesh, options)) candidate[vertex] = 0;
     return candidate;
 }
 
@@ -37,7 +39,7 @@ std::size_t threads_to_use(const Options& options) {
 
 std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& rows, const Surface& surface) {
     if (options.errors == Errors::tracked) return std::make_unique<Tracking>(rows, surface, options);
-    return std::make_unique<Propagation>(rows, surface.slot_count(), options.cost);
+    return std::make_unique<Propagation>(rows, surface, options.cost);
 }
 
 } // namespace
@@ -60,7 +62,7 @@ Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, 
 
 /// Errors are known in bounds, so other bounds mean other numbers.
 void ReductionRun::set_bounds(const std::vector<ResolvedBound>& bounds) {
-    auto rows = std::make_unique<Rows>(mesh_, bounds);
+    auto rows = std::make_unique<Rows>(mesh_, bounds, find_focus(mesh_, options_));
     if (accounting_) accounting_->measure_in(*rows);
     else accounting_ = make_accounting(options_, *rows, surface_);
     rows_ = std::move(rows);
@@ -82,7 +84,7 @@ void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Re
                                     const ProgressSpan& span, LevelLink* link) {
     set_bounds(bounds);
     if (!ticker_.ask()) return;
-    const std::vector<char> candidate = find_candidates(surface_, options_.locked);
+    const std::vector<char> candidate = find_candidates(mesh_, surface_, options_);
     const std::unique_ptr<LinkedTracking> linked = link ? link_from_here(bounds) : nullptr;
     Sweeper sweeper(surface_, *rows_, linked ? static_cast<Accounting&>(*linked) : *accounting_, candidate,
                     threads_to_use(options_));
@@ -98,8 +100,8 @@ void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Re
 /// leads by way of the original moves nothing farther than the two together, and that is what is asked of this one.
 std::unique_ptr<LinkedTracking> ReductionRun::link_from_here(std::vector<ResolvedBound> bounds) const {
     for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i].absolute += reached_[i].absolute;
-    return std::make_unique<LinkedTracking>(dynamic_cast<Tracking&>(*accounting_), Rows(mesh_, bounds), surface_,
-                                            options_);
+    return std::make_unique<LinkedTracking>(dynamic_cast<Tracking&>(*accounting_),
+                                            Rows(mesh_, bounds, find_focus(mesh_, options_)), surface_, options_);
 }
 
 /// Everything that a finished result tells; incomplete where the ticker cancels.
@@ -124,7 +126,7 @@ void ReductionRun::report_cancelled(Reduction& reduction) const {
     reduction = {};
     extract_mesh(mesh_, surface_, reduction);
     report.stopped = Stopped::cancelled;
-    report_limits(report);
+    report_limits(Multipliers(find_focus(mesh_, options_)), report);
     reduction.report = std::move(report);
 }
 

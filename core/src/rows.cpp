@@ -39,7 +39,7 @@ void fill(const Variable& variable, const RowGroup& group, double unit, std::siz
 
 } // namespace
 
-Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds) {
+Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* focus) : multipliers_(focus) {
     const auto variable = [&](std::size_t i) -> const Variable& {
         return i == 0 ? mesh.position : mesh.variables[i - 1];
     };
@@ -50,7 +50,7 @@ Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds) {
         width_ += variable(i).components;
         margin = std::max(margin, rounding_margin(bounds[i]));
     }
-    limit_ = 1 - margin;
+    limit_ = 1 - margin / multipliers_.least();
     values_.resize(vertex_count(mesh) * static_cast<std::size_t>(width_));
     for (const RowGroup& group : groups_)
         fill(variable(group.variable), group, unit(group), static_cast<std::size_t>(width_), values_);

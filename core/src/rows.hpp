@@ -7,6 +7,7 @@
 
 #include "meshbound/bounds.hpp"
 #include "meshbound/mesh.hpp"
+#include "multipliers.hpp"
 
 namespace meshbound {
 
@@ -25,7 +26,8 @@ struct RowGroup {
 class Rows {
 public:
     Rows() = default;
-    Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds);
+    /// `focus`: the mesh's variable that multiplies the bounds; null: none does (see Options::focus).
+    Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* focus = nullptr);
 
     const double* operator[](std::uint32_t vertex) const { return &values_[vertex * std::size_t(width_)]; }
     int width() const { return width_; }
@@ -43,9 +45,13 @@ public:
     /// The largest ratio that may be accepted: 1 less what rounding can hide.
     double limit() const { return limit_; }
 
+    /// What multiplies the bounds at a vertex, and on the way between two.
+    const Multipliers& multipliers() const { return multipliers_; }
+
 private:
     int width_ = 0;
     double limit_ = 1;
+    Multipliers multipliers_;
     std::vector<RowGroup> groups_;
     std::vector<double> units_;
     std::vector<double> values_;

@@ -46,11 +46,12 @@ bool Settling::settle_vertex(std::size_t n, Settlement& settlement, WorstError& 
     const InnerVertex& inner = (*inner_)[n];
     const double* row = rows_[inner.vertex];
     double here = error(row, settlement);
-    if (choose_places_ && here > content_with * content_with * worst.squared_limit()) {
+    const double scaled = rows_.multipliers().scale_at(inner.vertex, here);
+    if (choose_places_ && scaled > content_with * content_with * worst.squared_limit()) {
         if (inner.host == InnerVertex::Host::triangle) choose_place(n, row, settlement, here);
         else choose_share(row, settlement, here);
     }
-    return worst.take(here, difference(row, settlement));
+    return worst.take(rows_.multipliers().scale_at(inner.vertex, here), difference(row, settlement));
 }
 
 /// The new triangle in which an inner vertex lies, down the tree from the root; clamped where it lies in none.

@@ -62,7 +62,7 @@ double TrackedCost::diagonal(int i, int j) {
         sum +=
             rows_.squared_ratio(MeasuredRows::segment_difference(candidate, row(tip), near.x, row(i), row(j), near.y));
     }
-    return sum;
+    return rows_.multipliers().scale_at(hole_->candidate, sum);
 }
 
 double TrackedCost::triangle(int a, int m, int b) {
@@ -75,7 +75,9 @@ double TrackedCost::triangle(int a, int m, int b) {
     for (; inside; inside &= inside - 1) {
         const std::size_t vertex = sample_[static_cast<std::size_t>(std::countr_zero(inside))];
         const glm::dvec3 w = joint.nearest(products_->vertex(vertex)).weight;
-        sum += rows_.squared_ratio(rows_[(*inner_)[vertex].vertex], row(a), row(m), row(b), w.x, w.y, w.z);
+        const std::uint32_t original = (*inner_)[vertex].vertex;
+        const double ratio = rows_.squared_ratio(rows_[original], row(a), row(m), row(b), w.x, w.y, w.z);
+        sum += rows_.multipliers().scale_at(original, ratio);
     }
     return sum;
 }

@@ -229,3 +229,31 @@ test('what is written for people puts neither a bound nor an error below what it
   const text = reportText(report, { bounds: { p: { relative: 0.03 } }, errors: 'tracked', cost: 'introduced' });
   expect(text).toMatch(/p +2438 +3 % +2438 +1$/);
 });
+
+test('points and boxes that are locked stay, and bounds are finer where a variable is small', async () => {
+  const near = Float32Array.from({ length: 17 * 17 }, (_, vertex) => (vertex % 17 < 8 ? 0.05 : 1));
+  const variables = [...original.variables, { name: 'near', components: 1, values: near }];
+  await folder.save('focus.vtp', { ...original, variables });
+  const left = async (...args: string[]) => {
+    const outcome = await folder.run('reduce', 'focus.vtp', '-o', 'out.vtp', ...all, '-b', 'near=free', ...args);
+    expect(outcome.stderr).toBe('');
+    expect(outcome.status).toBe(0);
+    return (await folder.read('out.vtp')).mesh;
+  };
+  const count = ({ triangles }: Mesh) => triangles.length / 3;
+  const plain = await left();
+  expect(count(await left('--focus', 'near'))).toBeGreaterThan(count(plain));
+  expect(count(await left('--lock-box=-1,-1,-1,0.3,0.3,1'))).toBeGreaterThan(count(plain));
+
+  const locked = vertices(await left('--lock-points', '40-42,77'));
+  const places = [40, 41, 42, 77].map((point) =>
+    Array.from(original.position.slice(3 * point, 3 * point + 3)).join(' '),
+  );
+  for (const place of places) expect([...locked].filter((row) => row.startsWith(`${place} `))).toHaveLength(1);
+});
+
+test('a focus that the file has not is a fault', async () => {
+  const outcome = await folder.run('reduce', 'engine.vtp', '-o', 'out.vtp', ...all, '--focus', 'nearness');
+  expect(outcome.status).not.toBe(0);
+  expect(outcome.stderr).toContain('there is no variable “nearness” to multiply the bounds');
+});

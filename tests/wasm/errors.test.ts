@@ -125,6 +125,20 @@ const cases: FaultCase[] = [
     options: { bounds: { height: { absolute: 1e-300 } } },
   },
   { what: 'a locked vertex that does not exist', code: 'bad_option', options: { locked: Uint32Array.of(0, 1000) } },
+  {
+    what: 'a box turned inside out',
+    code: 'bad_option',
+    index: 0,
+    options: { lockedBoxes: [{ lowest: [0, 0, 1], highest: [1, 1, 0] }] },
+  },
+  {
+    what: 'a box without numbers',
+    code: 'bad_option',
+    index: 0,
+    options: { lockedBoxes: [{ lowest: [0, 0] as never, highest: [1, 1, 0] }] },
+  },
+  { what: 'a focus that does not exist', code: 'unknown_variable', variable: 'near', options: { focus: 'near' } },
+  { what: 'a focus of three components', code: 'bad_option', variable: 'flow', options: { focus: 'flow' } },
   { what: 'an unknown option', code: 'bad_option', options: { cost: 'cheap' as ReduceOptions['cost'] } },
 ];
 

@@ -122,6 +122,24 @@ describe('reduce', () => {
     expect(report.refused.fixed).toBe(3);
   });
 
+  test('keeps what meets a locked box, and finer bounds where the focus is small', async () => {
+    const plate = bumpyPlate(16);
+    const near = Float64Array.from({ length: 17 * 17 }, (_, vertex) => (vertex % 17 < 8 ? 0.05 : 1));
+    const mesh = { ...plate, variables: [...plate.variables, { name: 'near', components: 1, values: near }] };
+    const withFocus = { ...bounds, near: 'free' } as const;
+    const plain = await reduce(mesh, { bounds: withFocus });
+    const focused = await reduce(mesh, { bounds: withFocus, focus: 'near' });
+    expect(focused.report.triangles.after).toBeGreaterThan(plain.report.triangles.after);
+    expect(Math.max(...focused.report.variables.map(({ ratio }) => ratio))).toBeLessThanOrEqual(1);
+
+    const lockedBoxes = [
+      { lowest: [0, 0, -1] as [number, number, number], highest: [0.2, 0.2, 1] as [number, number, number] },
+    ];
+    const { vertices } = await reduce(mesh, { bounds: withFocus, lockedBoxes });
+    const inBox = [0, 1, 2, 3].flatMap((row) => [0, 1, 2, 3].map((column) => 17 * row + column));
+    expect(Array.from(vertices)).toEqual(expect.arrayContaining(inBox));
+  });
+
   test('options that are left out take the defaults of the core', async () => {
     const mesh = bumpyPlate(20);
     const byDefault = (await reduce(mesh, { bounds })).mesh.triangles;

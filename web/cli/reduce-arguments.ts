@@ -2,6 +2,7 @@ import type { ReportOptions } from '../session/report-json.ts';
 import { oneOf, parseArguments } from './arguments.ts';
 import { type Bounds, parseBounds } from './bound-arguments.ts';
 import { UsageFault } from './fault.ts';
+import { type Keeping, parseBox, parsePoints } from './keeping-arguments.ts';
 import { levelPaths, parseLevels } from './level-arguments.ts';
 import { outputFormat } from './surface-files.ts';
 
@@ -23,6 +24,10 @@ Options:
                           propagated: added up from removal to removal, as in the paper; more triangles stay
   --cost WHAT             with propagated errors, what the choice among retriangulations makes small:
                           introduced (default): the error of this removal; max: the error so far
+  --focus NAME            a variable of one component, above zero, that multiplies every bound: finer where it is small
+  --lock-points LIST      points that stay, counted from 0: 3,17,20-40
+  --lock-box X,Y,Z,X,Y,Z  lowest and highest corner of a box: every triangle that meets it stays as it is; as often as
+                          needed (--lock-box=-1,… where it begins with a minus)
   --map FILE              also write the original with where each vertex went, and what error it has there
   --report FILE.json      also write counts, bounds and errors for programs
   --levels BOUND,BOUND …  nested levels of detail, finest first: bounds of every variable not named; a --bound beside it
@@ -35,6 +40,7 @@ On a terminal a bar shows the progress. Ctrl-C ends the reduction and leaves all
 Examples:
   meshbound reduce engine.vtp -o small.vtp --bound position=1% --bound "*=3%"
   meshbound reduce engine.vtp -o small.ply -b position=0.5 -b pressure=2% -b velocity=0.2 -b temperature=free
+  meshbound reduce engine.vtp -o small.vtp -b "*=1%" --lock-box 0,0,0,1,1,1 --lock-points 0-9
   meshbound reduce engine.vtp -o small.vtp -b "*=1%" --map where.vtp --report report.json
   meshbound reduce engine.vtp -o levels.glb --levels 1%,3%,9% -b position=0.5%,1%,2%`;
 
@@ -46,6 +52,9 @@ const signature = {
     exclude: { type: 'string', multiple: true, default: [] as string[] },
     errors: { type: 'string', default: 'tracked' },
     cost: { type: 'string', default: 'introduced' },
+    focus: { type: 'string' },
+    'lock-points': { type: 'string', multiple: true, default: [] as string[] },
+    'lock-box': { type: 'string', multiple: true, default: [] as string[] },
     map: { type: 'string' },
     report: { type: 'string' },
     levels: { type: 'string' },
@@ -65,6 +74,8 @@ export interface Request {
   levels: Bounds[] | undefined;
   /** The files that surfaces are written to: `output`, or those of the levels. */
   outputs: string[];
+  /** What must stay, and where the bounds are finer. */
+  keeping: Keeping;
   map: string | undefined;
   report: string | undefined;
   quiet: boolean;
@@ -88,6 +99,11 @@ export function parseRequest(args: string[]): Request {
     options: { bounds: levels?.[0] ?? parseBounds(values.bound), errors, cost },
     levels,
     outputs: levels ? levelPaths(values.output, levels.length) : [values.output],
+    keeping: {
+      focus: values.focus,
+      points: Uint32Array.from(values['lock-points'].flatMap(parsePoints)),
+      lockedBoxes: values['lock-box'].map(parseBox),
+    },
     map: values.map,
     report: values.report,
     quiet: values.quiet,

@@ -17,6 +17,7 @@ import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
 import { Fault, faultOf } from './fault.ts';
 import { interruptible } from './interruption.ts';
+import { requireFocus, settingsOf } from './keeping-arguments.ts';
 import { levelsJson, levelsText } from './level-report.ts';
 import { sayNotes } from './notes.ts';
 import { ProgressBar } from './progress-bar.ts';
@@ -26,9 +27,10 @@ import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
 import { type FileNotes, writeLevelFiles } from './write-level-files.ts';
 
-async function openInput({ input, variables: csv, exclude, options, map }: Request): Promise<OpenedSurface> {
+async function openInput({ input, variables: csv, exclude, options, keeping, map }: Request): Promise<OpenedSurface> {
   const surface = without(exclude, await openSurface(input, csv));
   requireKnownBounds(options.bounds, surface);
+  requireFocus(keeping, surface);
   if (map) {
     requireMapNames(surface);
     await requirePlaceFor(triangleName, map);
@@ -45,7 +47,7 @@ function requireMapNames({ path, mesh }: OpenedSurface): void {
 /** Calls the core as the command line asks for, and shows the progress. */
 async function callCore<Result>(
   { path, locked }: OpenedSurface,
-  { options, quiet }: Request,
+  { options, keeping, quiet }: Request,
   signal: AbortSignal,
   call: (settings: Omit<ReduceOptions, 'bounds'>) => Promise<Result>,
 ): Promise<Result> {
@@ -54,7 +56,7 @@ async function callCore<Result>(
     return await call({
       errors: options.errors,
       cost: options.cost === 'max' ? 'maximum' : 'introduced',
-      locked,
+      ...settingsOf(keeping, locked),
       signal,
       onProgress: (progress) => bar?.show(progress),
     });

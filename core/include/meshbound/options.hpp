@@ -2,7 +2,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace meshbound {
 
@@ -16,6 +19,11 @@ enum class Errors {
 enum class Cost {
     maximum,    ///< the largest accumulated error: keep away from the bounds
     introduced, ///< the largest error that this removal introduces
+};
+
+/// A box along the axes, in the unit of position; its faces belong to it.
+struct Box {
+    glm::dvec3 lowest{0}, highest{0};
 };
 
 struct Options {
@@ -40,6 +48,14 @@ struct Options {
 
     /// Vertices (indices into the input) that must stay.
     std::vector<std::uint32_t> locked;
+
+    /// What must stay as it is: every triangle whose own box meets one of these boxes, with its vertices.
+    std::vector<Box> locked_boxes;
+
+    /// The name of a variable with one component, above zero everywhere, which multiplies every bound; empty: none does. So
+    /// bounds vary over the surface: at a point p where the original has the multiplier m, no error exceeds m times the
+    /// bound. The variable itself is carried along like any other.
+    std::string focus;
 };
 
 /// Called often (every few milliseconds) with the progress so far, 0…1, never falling. Return false to cancel.

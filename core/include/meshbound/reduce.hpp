@@ -36,6 +36,8 @@ struct Reduction {
 /// > There is a continuous map from the original surface onto the reduced one that moves no point by more than the bound
 /// > of `position` and changes no variable by more than its bound.
 ///
+/// With Options::focus it changes none by more than the bound times the multiplier at the original point.
+///
 /// Boundaries map to boundaries; genus, components and boundary loops are kept. The vertices of the result are a subset of
 /// the input's, with their values bit for bit. The same input gives the same bytes on every machine.
 ///

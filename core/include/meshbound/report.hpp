@@ -14,8 +14,8 @@ struct VariableReport {
     std::string name;
     int components = 1;
     ResolvedBound bound;
-    double error = 0;        ///< no point of the surface has a larger error than this
-    double ratio = 0;        ///< error / bound; 1 is the limit; 0 where the variable is free
+    double error = 0; ///< no point of the surface has a larger error than this
+    double ratio = 0; ///< largest of error / bound, multiplied as it is there; 1 is the limit; 0 where it is free
     std::size_t refused = 0; ///< vertices still there because removing them would break this variable's bound
 };
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "meshbound/bounds.hpp"
+#include "meshbound/mesh.hpp"
+#include "meshbound/options.hpp"
+#include "meshbound/status.hpp"
+
+namespace meshbound {
+
+/// The variable that multiplies the bounds (see Options::focus), or null.
+const Variable* find_focus(const Mesh& mesh, const Options& options);
+
+/// Whether there is such a variable, above zero everywhere and nowhere so small that double precision cannot carry the bounds.
+/// Faults: unknown_variable, bad_option, bound_too_fine.
+Status check_focus(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Options& options);
+
+} // namespace meshbound

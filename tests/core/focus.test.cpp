@@ -1,0 +1,177 @@
+// Bounds that vary over the surface: a variable multiplies them, and they hold at every point of the original.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "map_certificate.hpp"
+#include "meshes/fields.hpp"
+#include "meshes/oddities.hpp"
+#include "meshes/shapes.hpp"
+#include "meshes/variations.hpp"
+#include "modes.hpp"
+#include "promise.hpp"
+
+namespace {
+
+using namespace meshbound;
+
+class Focus : public ModeTest {
+protected:
+    Options options() const {
+        Options options = GetParam().options();
+        options.focus = "sharpness";
+        return options;
+    }
+    Reduction reduce(const Mesh& mesh, const Bounds& bounds) const { return promise::reduced(mesh, bounds, options()); }
+};
+EVERY_MODE(Focus);
+
+double multiplier(const Mesh& mesh, std::uint32_t vertex) { return value_at(mesh.variables.back(), vertex, 0); }
+
+double largest_multiplier(const Mesh& mesh, const glm::uvec3& t) {
+    return std::max({multiplier(mesh, t.x), multiplier(mesh, t.y), multiplier(mesh, t.z)});
+}
+
+/// The bounds free of the multiplier: it is a variable without a bound.
+Bounds bounds_of(double geometry, double variables) {
+    Bounds bounds = promise::percent(geometry, variables);
+    bounds.push_back({"sharpness", free_of_bound()});
+    return bounds;
+}
+
+/// Cuts the original into bands of alike multipliers and has the judge look from each, with the largest multiplier of its
+/// triangles, at the reduced surface.
+void expect_judge_agrees_in_bands(const Mesh& mesh, const Reduction& reduction) {
+    constexpr int bands = 12;
+    double least = 1e300, most = 0;
+    for (const glm::uvec3& t : mesh.triangles) {
+        least = std::min(least, largest_multiplier(mesh, t));
+        most = std::max(most, largest_multiplier(mesh, t));
+    }
+    for (int band = 0; band < bands; ++band) {
+        const double low = least * std::pow(most / least, band / double(bands));
+        const double high = least * std::pow(most / least, (band + 1) / double(bands));
+        Mesh part = mesh;
+        std::erase_if(part.triangles, [&](const glm::uvec3& t) {
+            const double m = largest_multiplier(mesh, t);
+            return m < low || (m >= high && band + 1 < bands);
+        });
+        if (part.triangles.empty()) continue;
+        std::vector<double> bounds = promise::absolute_bounds(reduction);
+        for (double& bound : bounds) bound *= high;
+        const judge::Deviation deviation = judge::judge(part, reduction.mesh, bounds, 5'000).from_original;
+        EXPECT_LE(deviation.ratio, 1 + promise::hair) << "up to multiplier " << high;
+    }
+}
+
+Mesh with_sharpness(Mesh mesh, const std::function<double(glm::dvec3)>& sharpness) {
+    meshes::add_scalar(mesh, "wave", meshes::wave_field);
+    meshes::add_vector(mesh, "whirl", meshes::whirl_field);
+    meshes::add_scalar(mesh, "sharpness", sharpness);
+    return mesh;
+}
+
+double near_a_point(glm::dvec3 p) {
+    const glm::dvec3 away = p - glm::dvec3(1, 0, 0.5);
+    return std::clamp(glm::dot(away, away), 0.02, 1.0);
+}
+
+/// Neighbouring vertices differ hundredfold: what a bound looked up in the wrong place would get away with.
+double checkered(glm::dvec3 p) { return std::sin(40 * p.x) * std::sin(40 * p.y) > 0 ? 0.02 : 2; }
+
+TEST_P(Focus, BoundsHoldAtEveryPointTimesTheMultiplierThere) {
+    for (const auto& sharpness : {near_a_point, checkered})
+        for (const Mesh& plain : {meshes::noisy_sphere(12, 0.05, 3), meshes::terrain(5, 7), meshes::three_sheets(8),
+                                  meshes::cylinder(24, 12)}) {
+            const Mesh mesh = with_sharpness(plain, sharpness);
+            const Reduction reduction = reduce(mesh, bounds_of(2, 6));
+            promise::expect_vertex_subset(mesh, reduction);
+            promise::expect_same_topology(mesh, reduction);
+            expect_judge_agrees_in_bands(mesh, reduction);
+            EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size());
+            EXPECT_LE(promise::largest_ratio(reduction), 1);
+        }
+}
+
+TEST_P(Focus, TheMapProvesThem) {
+    if (GetParam().options().errors != Errors::tracked) return; // there is no map else
+    for (const auto& sharpness : {near_a_point, checkered}) {
+        const Mesh mesh = with_sharpness(meshes::noisy_sphere(12, 0.05, 3), sharpness);
+        const Reduction reduction = reduce(mesh, bounds_of(2, 6));
+        const certificate::Certificate certificate(mesh, reduction);
+        EXPECT_THAT(certificate.faults(), testing::IsEmpty());
+        for (std::size_t i = 0; i + 1 < reduction.report.variables.size(); ++i) {
+            const VariableReport& variable = reduction.report.variables[i];
+            double ratio = 0;
+            for (std::uint32_t v = 0; v < vertex_count(mesh); ++v)
+                ratio = std::max(ratio, certificate.error_at_vertex(i, v) / multiplier(mesh, v));
+            for (const MapCrossing& x : reduction.map.crossings) {
+                const double p = multiplier(mesh, x.original.x), q = multiplier(mesh, x.original.y);
+                ratio = std::max(ratio, certificate.error_at_crossing(i, x) / (p + x.s * (q - p)));
+            }
+            ratio /= variable.bound.absolute;
+            EXPECT_LE(ratio, 1 + promise::hair) << variable.name;
+            EXPECT_NEAR(ratio, variable.ratio, 1e-6) << variable.name;
+        }
+    }
+}
+
+TEST_P(Focus, KeepsMoreTrianglesWhereItIsSharp) {
+    const Mesh mesh = with_sharpness(meshes::terrain(6, 3), [](glm::dvec3 p) { return p.x < 0.5 ? 0.02 : 1.0; });
+    const Reduction reduction = reduce(mesh, bounds_of(2, 10));
+    std::size_t sharp = 0;
+    for (const glm::uvec3& t : reduction.mesh.triangles) {
+        double x = 0;
+        for (int i = 0; i < 3; ++i) x += meshes::point(reduction.mesh, t[i]).x / 3;
+        sharp += x < 0.5;
+    }
+    EXPECT_GT(sharp, 5 * (reduction.mesh.triangles.size() - sharp));
+}
+
+TEST_P(Focus, OneEverywhereChangesNothing) {
+    const Mesh mesh = with_sharpness(meshes::noisy_sphere(10, 0.05, 3), [](glm::dvec3) { return 1.0; });
+    const Reduction with = reduce(mesh, bounds_of(2, 6));
+    const Reduction without = promise::reduced(mesh, bounds_of(2, 6), GetParam().options());
+    EXPECT_TRUE(promise::same_bits(with.mesh, without.mesh));
+}
+
+TEST_P(Focus, HoldsInEveryLevel) {
+    const Mesh mesh = with_sharpness(meshes::noisy_sphere(12, 0.05, 3), near_a_point);
+    Levels levels;
+    LevelOptions how{options(), true, true};
+    ASSERT_TRUE(reduce_levels(mesh, {bounds_of(1, 3), bounds_of(3, 9)}, how, levels).ok());
+    for (const Reduction& level : levels.levels) expect_judge_agrees_in_bands(mesh, level);
+}
+
+TEST_P(Focus, OfWhatCannotMultiplyIsRefused) {
+    Mesh mesh = with_sharpness(meshes::plane(4, 4), [](glm::dvec3) { return 1.0; });
+    const auto fault = [&](const std::string& focus) {
+        Options how = GetParam().options();
+        how.focus = focus;
+        Reduction reduction;
+        return meshbound::reduce(mesh, bounds_of(1, 1), how, reduction);
+    };
+    EXPECT_EQ(fault("sharpnes").fault, Fault::unknown_variable);
+    EXPECT_EQ(fault("whirl").fault, Fault::bad_option) << "three components";
+    auto& values = std::get<std::vector<double>>(mesh.variables.back().values);
+    for (const double bad : {0.0, -0.5}) {
+        values[7] = bad;
+        const Status status = fault("sharpness");
+        EXPECT_EQ(status.fault, Fault::bad_option);
+        EXPECT_EQ(status.index, 7U);
+        EXPECT_EQ(status.variable, "sharpness");
+    }
+    values[7] = 1e-14;
+    EXPECT_EQ(fault("sharpness").fault, Fault::bound_too_fine);
+}
+
+} // namespace

@@ -1,0 +1,55 @@
+import type { Box } from '../../wasm/index.ts';
+import { quoted } from '../formats/wording.ts';
+import { readBox } from '../session/box-text.ts';
+import { messageOf } from '../session/failure.ts';
+import { Fault, UsageFault } from './fault.ts';
+
+/** What a command line wants to stay, and where it wants finer bounds. */
+export interface Keeping {
+  focus: string | undefined;
+  points: Uint32Array;
+  lockedBoxes: Box[];
+}
+
+/** More points than any mesh has; a list that names more is a mistake in writing. */
+const mostPoints = 2 ** 32 - 2;
+
+/** The points of a list, `3,17,20-40`. Throws a UsageFault. */
+export function parsePoints(list: string): number[] {
+  return list.split(',').flatMap((entry) => {
+    const [, from, to = from] = /^\s*(\d+)(?:-(\d+))?\s*$/.exec(entry) ?? [];
+    const [first, last] = [Number(from), Number(to)];
+    if (from === undefined || last < first || last > mostPoints) {
+      throw new UsageFault(
+        `--lock-points ${quoted(list)} cannot be: ${quoted(entry)} is no point and no range of points.`,
+      );
+    }
+    return Array.from({ length: last - first + 1 }, (_, i) => first + i);
+  });
+}
+
+/** A box, `0,0,0,1,1,1`. Throws a UsageFault. */
+export function parseBox(text: string): Box {
+  try {
+    return readBox(text);
+  } catch (error) {
+    throw new UsageFault(`--lock-box ${quoted(text)} cannot be: ${messageOf(error)}`);
+  }
+}
+
+/** Throws a Fault for a focus that the surface has not. */
+export function requireFocus(
+  { focus }: Keeping,
+  { path, mesh }: { path: string; mesh: { variables: { name: string }[] } },
+): void {
+  if (focus === undefined || mesh.variables.some(({ name }) => name === focus)) return;
+  throw new Fault(`${path}: there is no variable ${quoted(focus)} to multiply the bounds.`);
+}
+
+/** What the core is to keep: what the surface itself needs, and what the command line adds. */
+export function settingsOf({ focus, points, lockedBoxes }: Keeping, locked: Uint32Array = new Uint32Array()) {
+  const all = new Uint32Array(locked.length + points.length);
+  all.set(locked);
+  all.set(points, locked.length);
+  return { focus, lockedBoxes, locked: all };
+}
