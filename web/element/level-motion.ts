@@ -3,15 +3,24 @@ import type { LevelSession } from '../session/level-session.ts';
 /** Milliseconds on the way from a level to the next: long enough to be smooth, short enough not to be waited for. */
 const wayTime = 400;
 
-/** Leads a level session to a level of its own accord, morphing on the way; at once for those who want less motion. */
+/** The most of them that one frame takes: where frames are slow the way is longer, and no less smooth. */
+const longestFrame = 50;
+
+/**
+ * Leads a level session to a level of its own accord, morphing on the way; at once for those who want less motion. It waits
+ * where what is to be seen is not yet drawn.
+ */
 export class LevelMotion {
   #levels: LevelSession;
+  #isDrawn: () => boolean;
   #target = 0;
   #frame = 0;
   #last = 0;
 
-  constructor(levels: LevelSession) {
+  /** @param isDrawn whether the position of the session is what one sees */
+  constructor(levels: LevelSession, isDrawn: () => boolean) {
     this.#levels = levels;
+    this.#isDrawn = isDrawn;
   }
 
   /** Goes to a level, from wherever it is. */
@@ -33,7 +42,9 @@ export class LevelMotion {
 
   #move = (now: number): void => {
     const { position, pixels } = this.#levels.state;
-    const step = (now - this.#last) / wayTime;
+    // The first frame may have begun before it was asked for.
+    const passed = Math.min(Math.max(now - this.#last, 0), longestFrame);
+    const step = this.#isDrawn() ? passed / wayTime : 0;
     this.#last = now;
     const way = this.#target - position;
     const arrived = Math.abs(way) <= step;

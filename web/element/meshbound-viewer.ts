@@ -233,7 +233,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
   /** Levels of detail of what the session reached. @internal */
   readonly levels = new LevelSession(this.session, reduceLevels);
   #levelView: LevelView | null = null;
-  #motion = new LevelMotion(this.levels);
+  #motion = new LevelMotion(this.levels, () => this.#stage?.showsReduced ?? false);
   /** What the last change of the session was compared with. */
   #seen: SessionState = this.session.state;
   /** The same object until something in it changes, so that nothing is painted anew for nothing. */

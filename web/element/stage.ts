@@ -516,6 +516,11 @@ export class Stage extends LitElement {
     return colouring.places;
   }
 
+  /** Whether the reduced side shows what it is to show, not something that waits for it. */
+  get showsReduced(): boolean {
+    return this.#drawn[reduced] === this.#due(reduced);
+  }
+
   /** What a side is to show. */
   #due(side: number): Mesh | MorphSource | null {
     if (side === original) return this.surface?.mesh ?? null;

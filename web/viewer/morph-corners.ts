@@ -69,9 +69,26 @@ export interface MorphArrays extends SurfaceArrays {
 
 /** From the level as it is drawn: the same picture, in more triangles. */
 export function morphArrays({ corners, normals }: SurfaceArrays, at: MorphCorners): MorphArrays {
+  return {
+    corners: carriedOver(corners, 3, at),
+    normals: carriedOver(normals, 3, at),
+    faces: roundedFaces(corners, at),
+    within: roundedWeights(at),
+  };
+}
+
+function roundedFaces(corners: Float32Array, { triangle, weights }: MorphCorners): Int16Array<ArrayBuffer> {
   const { unit } = faceNormals(corners);
-  const { triangle, weights } = at;
-  const faces = Int16Array.from(weights, (_, i) => Math.round(32767 * unit[3 * triangle[Math.floor(i / 9)] + (i % 3)]));
-  const within = Uint16Array.from(weights, (weight) => Math.round(65535 * weight));
-  return { corners: carriedOver(corners, 3, at), normals: carriedOver(normals, 3, at), faces, within };
+  // Written in a loop: a typed array's `from` takes ten times as long.
+  const faces = new Int16Array(weights.length);
+  for (let i = 0; i < faces.length; i++) {
+    faces[i] = Math.round(32767 * unit[3 * triangle[Math.floor(i / 9)] + (i % 3)]);
+  }
+  return faces;
+}
+
+function roundedWeights({ weights }: MorphCorners): Uint16Array<ArrayBuffer> {
+  const within = new Uint16Array(weights.length);
+  for (let i = 0; i < within.length; i++) within[i] = Math.round(65535 * weights[i]);
+  return within;
 }
