@@ -116,6 +116,22 @@ describe('glTF attributes', () => {
     expect(notes).toEqual(['Not carried: the attributes “TANGENT”.']);
   });
 
+  it('are read where they lie between each other', async () => {
+    const rows = Array.from({ length: 4 }, (_, point) => [
+      ...square.values.subarray(3 * point, 3 * point + 3),
+      point / 2,
+    ]);
+    const interleaved = { components: 4, values: Float32Array.from(rows.flat()) };
+    const { json, binary } = accessorsOf([interleaved, corners]);
+    Object.assign(json.bufferViews[0], { byteStride: 16 });
+    const element = { bufferView: 0, componentType: 5126, count: 4 };
+    const accessors = [{ ...element, type: 'VEC3' }, json.accessors[1], { ...element, type: 'SCALAR', byteOffset: 12 }];
+    const meshes = [{ primitives: [{ attributes: { POSITION: 0, _P: 2 }, indices: 1 }] }];
+    const { mesh } = await read(glbFile({ ...json, accessors, meshes }, binary));
+    expect(mesh.position).toEqual(square.values);
+    expect(variablesOf(mesh)).toEqual(['P 0 0.5 1 1.5']);
+  });
+
   it('are read from sparse accessors', async () => {
     const arrays = [
       square,
@@ -182,7 +198,7 @@ describe('a glTF scene', () => {
     expect(Array.from(turned.mesh.variables[0].values.subarray(0, 3), (part) => part + 0)).toEqual([-1, 0, 0]);
   });
 
-  it('is read in strips, fans and without indices; points and lines are named as lost', async () => {
+  it('is read in strips, fans and without indices; points, lines and odd corners are named as lost', async () => {
     const trianglesOf = async (mode: number, indices?: number) =>
       Array.from(
         (await read(scene([square, corners], [{ attributes: { POSITION: 0 }, mode, indices }]))).mesh.triangles,
@@ -198,6 +214,10 @@ describe('a glTF scene', () => {
       ],
     );
     expect((await read(lines)).notes).toEqual(['Not carried: 1 primitive of points or lines.']);
+    const odd = { ...corners, values: Uint16Array.of(0, 1, 2, 0, 2) };
+    const { notes, mesh } = await read(scene([square, odd], [{ attributes: { POSITION: 0 }, indices: 1 }]));
+    expect(notes).toEqual(['Not carried: 2 corners after the last whole triangle.']);
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2]);
   });
 
   it('of glTF text with buffers inside is read', async () => {
@@ -256,7 +276,22 @@ describe('a hostile glTF file', () => {
     nodes: Array(1000).fill({ mesh: 0 }),
     scenes: [{ nodes: [...Array(1000).keys()] }],
   });
-  const huge = { accessors: Array(1000).fill({ componentType: 5126, count: 2 ** 31, type: 'VEC4' }) };
+  const unused = { componentType: 5126, count: 2 ** 31, type: 'VEC4' };
+  const huge = { accessors: [...accessorsOf([square, corners]).json.accessors, ...Array(1000).fill(unused)] };
+  const withIndices = (indices: GltfArray) => scene([square, indices], [good]);
+  const withView = (change: object) => {
+    const { json, binary } = accessorsOf([square, corners]);
+    const bufferViews = [{ ...json.bufferViews[0], ...change }, json.bufferViews[1]];
+    return glbFile({ ...json, bufferViews, meshes: [{ primitives: [good] }] }, binary);
+  };
+  const withSparse = (places: GltfArray, change: object = {}) => {
+    const { json, binary } = accessorsOf([square, corners, places, { components: 1, values: Float32Array.of(5, 7) }]);
+    const { bufferView, componentType } = json.accessors[2];
+    const sparse = { count: 2, indices: { bufferView, componentType, ...change }, values: { bufferView: 3 } };
+    const accessors = [...json.accessors, { componentType: 5126, count: 4, type: 'SCALAR', sparse }];
+    const meshes = [{ primitives: [{ attributes: { POSITION: 0, _P: 4 }, indices: 1 }] }];
+    return glbFile({ ...json, accessors, meshes }, binary);
+  };
 
   it.each<[string, Uint8Array, FormatFault, ...string[]]>([
     [
@@ -297,6 +332,44 @@ describe('a hostile glTF file', () => {
       scene([square, { ...corners, values: Uint16Array.of(0, 1, 4) }], [good]),
       'bad_index',
       'point 4',
+    ],
+    [
+      'with fractions for indices',
+      withIndices({ ...corners, values: Float32Array.of(0, 1.5, 2) }),
+      'bad_header',
+      'mesh 0 has indices that are no list of whole numbers',
+    ],
+    [
+      'with negative indices',
+      withIndices({ ...corners, values: Int16Array.of(0, -1, 2) }),
+      'bad_header',
+      'mesh 0 has indices',
+    ],
+    ['with vectors for indices', withIndices({ ...corners, components: 3 }), 'bad_header', 'mesh 0 has indices'],
+    ['with elements that overlap', withView({ byteStride: 4 }), 'bad_header', 'accessor 0', '12 bytes', 'every 4'],
+    [
+      'with points that only an extension has',
+      withAccessor({ bufferView: undefined }),
+      'unsupported_feature',
+      'points of mesh 0',
+    ],
+    [
+      'with a sparse index beyond the elements',
+      withSparse({ components: 1, values: Uint16Array.of(1, 4) }),
+      'bad_index',
+      'sparse part of accessor 4 names element 4',
+    ],
+    [
+      'with fractions for sparse indices',
+      withSparse({ components: 1, values: Float32Array.of(1, 2) }),
+      'bad_index',
+      'sparse part of accessor 4',
+    ],
+    [
+      'with sparse indices nowhere',
+      withSparse({ components: 1, values: Uint8Array.of(1, 2) }, { bufferView: undefined }),
+      'bad_index',
+      'sparse part of accessor 4',
     ],
     ['without triangles', scene([square, corners], []), 'no_triangles', 'no triangles'],
     [

@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { FormatError } from '../../web/formats/format-error.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import { writeSurface } from '../../web/formats/write.ts';
+import { accessorsOf } from './gltf-file.ts';
 import { fingerprint, mixedVariables, smallMesh, withinSingles } from './sample-mesh.ts';
 
 const fixtures = new URL('fixtures/', import.meta.url);
@@ -16,6 +17,20 @@ const textStl =
   'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\nendsolid s\n';
 const texturedObj =
   'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0.5\nvn 0 0 1\nf 1/1/1 2/2/1 3/1/1\nf -1/-1/-1 -2//1 \\\n2\n';
+
+/** The triangles of the GLB file as glTF in text, with its data inside. */
+function gltfText(): Uint8Array {
+  const { json, binary } = accessorsOf([
+    { components: 3, values: mesh.position as Float32Array },
+    { components: 1, values: Uint16Array.from(mesh.triangles) },
+    { components: 1, values: Float32Array.of(1, 2, 3, 4) },
+  ]);
+  const uri = `data:application/octet-stream;base64,${btoa(String.fromCharCode(...binary))}`;
+  const meshes = [{ primitives: [{ attributes: { POSITION: 0, _P: 2 }, indices: 1 }] }];
+  const buffers = [{ byteLength: binary.length, uri }];
+  return new TextEncoder().encode(JSON.stringify({ asset: { version: '2.0' }, buffers, ...json, meshes }));
+}
+
 const files: [name: string, bytes: Uint8Array][] = [
   ['ASCII PLY', await writeSurface('ply', mesh, { encoding: 'ascii' })],
   ['binary PLY', await writeSurface('ply', mesh)],
@@ -23,6 +38,7 @@ const files: [name: string, bytes: Uint8Array][] = [
   ['VTP', await writeSurface('vtp', mesh)],
   ['legacy VTK', await writeSurface('vtk', mesh)],
   ['GLB', await writeSurface('glb', withinSingles(mesh))],
+  ['glTF in text', gltfText()],
   ['OBJ', await writeSurface('obj', mesh)],
   ['textured OBJ', new TextEncoder().encode(texturedObj)],
   ['STL', await writeSurface('stl', mesh)],

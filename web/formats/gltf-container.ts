@@ -1,8 +1,7 @@
-import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
 import { checkShape } from './gltf-shape.ts';
 import { utf8Text } from './utf8-text.ts';
-import { counted, grouped, listed } from './wording.ts';
+import { grouped, listed } from './wording.ts';
 
 /** As much of glTF's JSON as is looked at before glTF-Transform reads it. */
 export interface GltfJson {
@@ -106,108 +105,4 @@ function parseJson(bytes: Uint8Array): GltfJson {
       `The JSON of the glTF file is broken: ${(error as Error).message}.`,
     );
   }
-}
-
-const componentSizes = new Map([
-  [5120, 1],
-  [5121, 1],
-  [5122, 2],
-  [5123, 2],
-  [5125, 4],
-  [5126, 4],
-]);
-const typeSizes = new Map([
-  ['SCALAR', 1],
-  ['VEC2', 2],
-  ['VEC3', 3],
-  ['VEC4', 4],
-  ['MAT2', 4],
-  ['MAT3', 9],
-  ['MAT4', 16],
-]);
-
-const deepest = 256;
-
-/** Checks what glTF-Transform takes on trust: that accessors lie inside the buffers, of these sizes, and nodes form a forest. */
-export function checkGltf(json: GltfJson, sizes: number[], fileSize: number): void {
-  for (const [index, view] of (json.bufferViews ?? []).entries()) checkView(view, index, sizes);
-  // Overlapping accessors could ask for any amount of memory.
-  let budget = expansionLimit(fileSize);
-  for (const [index, accessor] of (json.accessors ?? []).entries()) {
-    budget -= checkAccessor(accessor, `accessor ${index}`, json);
-    if (budget < 0)
-      throw new FormatError('too_large', 'The accessors ask for far more memory than a file of this size holds.');
-  }
-  checkForest(json.nodes ?? []);
-}
-
-function isCount(value: unknown): value is number {
-  return Number.isSafeInteger(value) && (value as number) >= 0;
-}
-
-function checkView(
-  view: { buffer?: number; byteOffset?: number; byteLength?: number; byteStride?: number },
-  index: number,
-  sizes: number[],
-): void {
-  const { buffer, byteOffset = 0, byteLength, byteStride = 4 } = view;
-  const size = sizes[buffer ?? -1] ?? -1;
-  if (
-    isCount(byteOffset) &&
-    isCount(byteLength) &&
-    isCount(byteStride) &&
-    byteStride > 0 &&
-    byteOffset + byteLength <= size
-  )
-    return;
-  const where = `buffer view ${index}`;
-  throw new FormatError('truncated', `The ${where} lies outside its buffer.`, where);
-}
-
-/** The memory that an accessor takes. */
-function checkAccessor(accessor: GltfAccessor, where: string, json: GltfJson): number {
-  const { count, componentType = 0, type = '', byteOffset = 0 } = accessor;
-  const [componentSize, components] = [componentSizes.get(componentType), typeSizes.get(type)];
-  if (componentSize === undefined || components === undefined || !isCount(count) || !isCount(byteOffset)) {
-    throw new FormatError('bad_header', `The ${where} has no valid type, count or offset.`, where);
-  }
-  const size = componentSize * components;
-  if (accessor.bufferView !== undefined && count > 0) {
-    const view = json.bufferViews?.[accessor.bufferView];
-    const needed = byteOffset + (count - 1) * (view?.byteStride ?? size) + size;
-    if (!view || needed > (view.byteLength ?? 0)) {
-      const message = `The ${where} has ${counted(count, 'element')}, which its buffer view cannot hold.`;
-      throw new FormatError('truncated', message, where);
-    }
-  }
-  return count * size + (accessor.sparse ? checkSparse(accessor, where, json) : 0);
-}
-
-function checkSparse(accessor: GltfAccessor, where: string, json: GltfJson): number {
-  const { count, indices, values } = accessor.sparse ?? {};
-  const parts = [
-    { ...indices, count, type: 'SCALAR' },
-    { ...values, count, type: accessor.type, componentType: accessor.componentType },
-  ];
-  return parts.reduce((sum, part) => sum + checkAccessor(part, `sparse part of ${where}`, json), 0);
-}
-
-function checkForest(nodes: { children?: number[] }[]): void {
-  const parents = new Map<number, number>();
-  for (const [parent, { children = [] }] of nodes.entries()) {
-    for (const child of children) {
-      if (!nodes[child]) throw badNode(child, 'is missing');
-      if (parents.has(child)) throw badNode(child, 'has two parents');
-      parents.set(child, parent);
-    }
-  }
-  for (const start of nodes.keys()) {
-    let [node, depth]: [number | undefined, number] = [start, 0];
-    for (; node !== undefined && depth <= deepest; depth++) node = parents.get(node);
-    if (node !== undefined) throw badNode(start, `is its own ancestor, or below more than ${deepest} others`);
-  }
-}
-
-function badNode(node: number, fault: string): FormatError {
-  return new FormatError('bad_header', `Node ${node} ${fault}.`, `node ${node}`);
 }

@@ -22,10 +22,11 @@ export function checkShape(json: GltfJson): void {
   }
   for (const [index, { primitives }] of meshes.entries()) {
     for (const primitive of objectsIn(primitives, `primitives of mesh ${index}`)) {
-      checkPrimitive(primitive, accessors.length, `mesh ${index}`);
+      checkPrimitive(primitive, accessors, `mesh ${index}`);
     }
   }
   for (const [index, node] of nodes.entries()) checkNode(node, meshes.length, `node ${index}`);
+  checkForest(json.nodes ?? []);
   for (const [index, scene] of scenes.entries()) {
     for (const root of listIn(scene.nodes, `nodes of scene ${index}`)) {
       checkReference(root, nodes.length, 'node', `scene ${index}`);
@@ -34,12 +35,34 @@ export function checkShape(json: GltfJson): void {
   checkReference(json.scene, scenes.length, 'scene', 'the file');
 }
 
-function checkPrimitive({ attributes, indices, targets }: Item, accessors: number, where: string): void {
+/** The component types of whole numbers from 0 on. */
+const unsigned: unknown[] = [5121, 5123, 5125];
+
+function checkPrimitive({ attributes, indices, targets }: Item, accessors: Item[], where: string): void {
   if (!isObject(attributes)) throw badShape(where, 'has a primitive without attributes');
   for (const accessor of [...Object.values(attributes), indices]) {
-    checkReference(accessor, accessors, 'accessor', where);
+    checkReference(accessor, accessors.length, 'accessor', where);
   }
   listIn(targets, `targets of ${where}`);
+  const { type, componentType } = indices === undefined ? wholeNumbers : accessors[indices as number];
+  if (type !== 'SCALAR' || !unsigned.includes(componentType)) {
+    throw badShape(where, 'has indices that are no list of whole numbers');
+  }
+  requirePlaces(attributes, accessors, where);
+}
+
+const wholeNumbers: Item = { type: 'SCALAR', componentType: unsigned[0] };
+
+/** An accessor of nothing is all zeros, which is what a reader sees who cannot unpack the extension that has the data. */
+function requirePlaces({ POSITION: position }: Item, accessors: Item[], where: string): void {
+  if (position === undefined) return;
+  const { bufferView, sparse } = accessors[position as number];
+  if (bufferView !== undefined || sparse !== undefined) return;
+  throw new FormatError(
+    'unsupported_feature',
+    `The points of ${where} are not in the file, or packed in a way that is not read.`,
+    where,
+  );
 }
 
 /** How many numbers place a node. */
@@ -84,4 +107,28 @@ function isObject(value: unknown): value is Item {
 
 function badShape(where: string, fault: string): FormatError {
   return new FormatError('bad_header', `The JSON of the file does not follow glTF 2.0: ${where} ${fault}.`, where);
+}
+
+/** Nodes deeper than this would exhaust the stack of whoever follows them. */
+const deepest = 256;
+
+/** Every node has one parent at most and is not its own ancestor. */
+function checkForest(nodes: { children?: number[] }[]): void {
+  const parents = new Map<number, number>();
+  for (const [parent, { children = [] }] of nodes.entries()) {
+    for (const child of children) {
+      if (!nodes[child]) throw badNode(child, 'is missing');
+      if (parents.has(child)) throw badNode(child, 'has two parents');
+      parents.set(child, parent);
+    }
+  }
+  for (const start of nodes.keys()) {
+    let [node, depth]: [number | undefined, number] = [start, 0];
+    for (; node !== undefined && depth <= deepest; depth++) node = parents.get(node);
+    if (node !== undefined) throw badNode(start, `is its own ancestor, or below more than ${deepest} others`);
+  }
+}
+
+function badNode(node: number, fault: string): FormatError {
+  return new FormatError('bad_header', `Node ${node} ${fault}.`, `node ${node}`);
 }

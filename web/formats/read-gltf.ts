@@ -10,8 +10,9 @@ import {
 import type { Mesh } from '../../wasm/types.ts';
 import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
+import { checkAccessors } from './gltf-accessors.ts';
 import { readBuffers } from './gltf-buffers.ts';
-import { checkGltf, type GltfJson, openGltf } from './gltf-container.ts';
+import { type GltfJson, openGltf } from './gltf-container.ts';
 import {
   extrasOf,
   type GltfAttribute,
@@ -45,6 +46,8 @@ interface Part {
   labels: Partial<GltfExtras>;
   /** Semantics that are not carried. */
   lost: string[];
+  /** Corners of no whole triangle. */
+  leftOver: number;
 }
 
 /**
@@ -55,9 +58,8 @@ interface Part {
 export async function readGltf(bytes: Uint8Array, beside?: Beside): Promise<Surface> {
   const file = openGltf(bytes);
   const buffers = await readBuffers(file, beside);
-  const sizes = buffers.map(({ length }) => length);
   const fileSize = bytes.length + [...new Set(buffers)].reduce((sum, { length }) => sum + length, 0);
-  checkGltf(file.json, sizes, fileSize);
+  checkAccessors(file.json, buffers, fileSize);
   const document = await readDocument(file.json, buffers);
   const notes = lossNotes(file.json);
   const placed = placedPrimitives(document);
@@ -68,6 +70,8 @@ export async function readGltf(bytes: Uint8Array, beside?: Beside): Promise<Surf
   const parts = drawn.map((each, index) => readPart(each, index));
   const full = parts.filter((part) => part.position.length > 0 && part.triangles.length > 0);
   if (full.length === 0) throw new FormatError('no_triangles', 'The scene of the file has no triangles.');
+  const odd = full.reduce((sum, { leftOver }) => sum + leftOver, 0);
+  if (odd > 0) notes.push(`Not carried: ${counted(odd, 'corner')} after the last whole triangle.`);
   const lost = new Set(full.flatMap((part) => part.lost));
   if (lost.size > 0) notes.push(`Not carried: the attributes ${listed([...lost])}.`);
   const { variables, labels } = joinAttributes(
@@ -171,10 +175,9 @@ function readPart({ primitive, matrix }: Placed, index: number): Part {
   const { attributes, lost } = namedAttributes(primitive, where, position.length / 3, numbersOf);
   const corners = cornersOf(primitive, position.length / 3);
   checkIndices(corners, position.length / 3, where);
-  return place(
-    { position, attributes, triangles: trianglesOf(corners, primitive.getMode()), labels: extrasOf(accessor), lost },
-    matrix,
-  );
+  const triangles = trianglesOf(corners, primitive.getMode());
+  const leftOver = primitive.getMode() === modes.triangles ? corners.length - triangles.length : 0;
+  return place({ position, attributes, triangles, labels: extrasOf(accessor), lost, leftOver }, matrix);
 }
 
 /** The numbers of an accessor; glTF-Transform turns normalised integers back into what they mean. */
