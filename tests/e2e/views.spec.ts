@@ -80,6 +80,76 @@ test('colours a range that is chosen, and marks what lies beyond it', async () =
   await page().keyboard.press('Escape');
 });
 
+test('a range of percentiles can be chosen, and leaves what is beyond it marked in the picture, too', async () => {
+  await page().getByRole('button', { name: 'More' }).click();
+  const range = page().getByLabel('Range');
+  expect(await range.evaluate((input: HTMLInputElement) => input.list?.options.length)).toBeGreaterThan(2);
+  const ticks = page().locator('#original meshbound-legend .ticks');
+  const before = await ticks.innerText();
+  await range.fill('10%…90%');
+  await range.press('Enter');
+  await expect(ticks).not.toHaveText(before);
+  const saved = await page()
+    .locator('meshbound-viewer')
+    .evaluate(async (viewer: HTMLElementTagNameMap['meshbound-viewer']) => {
+      const bitmap = await createImageBitmap(await viewer.toBlob());
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+      context?.drawImage(bitmap, 0, 0);
+      // The last line of the legend on the left.
+      const data = context?.getImageData(0, bitmap.height - 30, 300, 30).data ?? [];
+      const count = (wanted: number[]) =>
+        Array.from({ length: 300 * 30 }, (_, pixel) => pixel).filter((pixel) =>
+          wanted.every((part, index) => data[4 * pixel + index] === part),
+        ).length;
+      return { below: count([0, 0, 255]), above: count([0, 255, 255]) };
+    });
+  expect(saved).toEqual({ below: 100, above: 100 });
+  await range.fill('');
+  await range.press('Enter');
+  await page().keyboard.press('Escape');
+});
+
+test('a cut is moved by a slider, and triangles may be drawn on their fronts only', async () => {
+  const whole = coverage(await picture('original'));
+  await page().getByRole('button', { name: 'More' }).click();
+  const slider = page().getByRole('slider', { name: 'Place of the cut' });
+  await expect(slider).toBeDisabled();
+  await page().getByLabel('What the cut keeps').selectOption('x <');
+  await expect.poll(async () => coverage(await picture('original'))).toBeLessThan(0.9 * whole);
+  const half = coverage(await picture('original'));
+  const inside = await picture('original');
+  await page().getByLabel('Both sides of triangles').uncheck();
+  await expect.poll(async () => difference(inside, await picture('original'))).toBeGreaterThan(0.01);
+  await expect.poll(() => page().url()).toMatch(/cull=&clip=x/);
+  await page().getByLabel('Both sides of triangles').check();
+  await slider.press('Home');
+  await expect.poll(async () => coverage(await picture('original'))).toBeLessThan(0.01);
+  await slider.press('End');
+  await expect.poll(async () => coverage(await picture('original'))).toBeGreaterThan(half);
+  await page().getByLabel('What the cut keeps').selectOption('all');
+  await expect.poll(async () => coverage(await picture('original'))).toBe(whole);
+  await page().keyboard.press('Escape');
+});
+
+test('two cameras are in the address, both of them, and Fit takes them out', async ({ browser }) => {
+  await page().getByLabel('One camera').uncheck();
+  await page().locator('#reduced').press('ArrowLeft');
+  await page().locator('#original').press('ArrowUp');
+  await expect.poll(() => page().url()).toMatch(/unlinked=&camera=[^&]*%3B/);
+  const sides = ['original', 'reduced'] as const;
+  const other = await browser.newPage();
+  await other.goto(page().url());
+  for (const side of sides) {
+    await expect
+      .poll(async () => difference(await picture(side), await pictureOf(other, side)), { timeout: 30_000 })
+      .toBeLessThan(0.005);
+  }
+  await other.getByRole('button', { name: 'Fit' }).click();
+  await expect.poll(() => other.url()).not.toContain('camera');
+  await other.close();
+  await page().getByLabel('One camera').check();
+});
+
 test('saves a picture, with the legends or without', async () => {
   const saved = async (item: string) => {
     const started = page().waitForEvent('download');

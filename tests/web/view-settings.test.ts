@@ -16,6 +16,7 @@ const nothing: WantedView = {
   view: null,
   edges: false,
   flat: false,
+  cull: false,
   orthographic: false,
   clip: null,
   unlinked: false,
@@ -49,7 +50,15 @@ describe('what is asked for', () => {
   );
 
   test('is shown', () => {
-    const view = { range: '0…1', view: 'reduced', flat: true, orthographic: true, clip: 'x < 0.5', unlinked: true };
+    const view = {
+      range: '0…1',
+      view: 'reduced',
+      flat: true,
+      cull: true,
+      orthographic: true,
+      clip: 'x < 0.5',
+      unlinked: true,
+    };
     const wanted = { ...nothing, variable: 'b', component: 'y', show: 'error', colormap: 'cividis', ...view };
     expect(settingsFor(opened, wanted)).toEqual({
       variable: 'b',
@@ -60,6 +69,7 @@ describe('what is asked for', () => {
       view: 'reduced',
       edges: false,
       flat: true,
+      doubleSided: false,
       orthographic: true,
       clip: 'x < 0.5',
       linked: false,

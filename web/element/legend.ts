@@ -1,16 +1,9 @@
 import { css, html, LitElement, nothing } from 'lit';
-import {
-  aboveBoundColour,
-  aboveRangeColour,
-  belowRangeColour,
-  type Colour,
-  cssColour,
-  cssGradient,
-  missingColour,
-} from '../colour/colormaps.ts';
+import { cssColour, cssGradient } from '../colour/colormaps.ts';
 import { placeIn, roundTicks } from '../colour/colour-range.ts';
 import type { Meaning } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
+import { type LegendEnd, legendEnds } from './legend-ends.ts';
 import { valueText } from './number-text.ts';
 
 /** About how many numbers stand under the bar, its ends not counted. */
@@ -117,18 +110,13 @@ export class Legend extends LitElement {
     `;
   }
 
-  #below({ quantity, ends, bounded, free, beyond }: Meaning) {
-    const [lowest, highest] = ends ?? ['', ''];
-    return html`<div class="ends soft ${quantity}">
-      ${ends ? html`<span>${beyond?.below ? swatch(belowRangeColour, lowest) : lowest}</span>` : nothing}
-      ${bounded ? swatch(aboveBoundColour, ends ? 'beyond: never' : 'above 1: never') : nothing}
-      ${free ? swatch(missingColour, 'no bound') : nothing}
-      ${ends ? html`<span>${beyond?.above ? swatch(aboveRangeColour, highest) : highest}</span>` : nothing}
-    </div>`;
+  #below(meaning: Meaning) {
+    return html`<div class="ends soft ${meaning.quantity}">${legendEnds(meaning).map(endTemplate)}</div>`;
   }
 }
 
-function swatch(colour: Colour, text: string) {
+function endTemplate({ text, colour }: LegendEnd) {
+  if (!colour) return html`<span>${text}</span>`;
   return html`<span><span class="swatch" .style=${`background:${cssColour(colour)}`}></span>${text}</span>`;
 }
 

@@ -104,6 +104,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
     view: {},
     edges: { type: Boolean },
     flat: { type: Boolean },
+    cull: { type: Boolean },
     orthographic: { type: Boolean },
     clip: {},
     camera: { noAccessor: true },
@@ -209,6 +210,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
   declare view: View | null;
   /** Whether every triangle is shaded as the plane that it is. */
   declare flat: boolean;
+  /** Whether triangles are drawn only where their front is seen, so that one looks through the backs. */
+  declare cull: boolean;
   /** Whether parallels stay parallel, instead of a perspective. */
   declare orthographic: boolean;
   /** A plane that cuts off one side, in the mesh's unit: `x < 0.5` keeps what is below. */
@@ -261,6 +264,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.range = null;
     this.view = null;
     this.flat = false;
+    this.cull = false;
     this.orthographic = false;
     this.clip = null;
     this.edges = false;
@@ -295,12 +299,13 @@ export class MeshboundViewer extends LitElement implements WantedView {
 
   /**
    * Where the camera stands and what it looks at, x y z each, where the surface lies within distance 1 of the origin:
-   * `1.9 1.5 3.8 / 0 0 0`. Null where all of the surface is in view, as at first.
+   * `1.9 1.5 3.8 / 0 0 0`; two of these with `;` between where each side has a camera of its own. Null where all of the
+   * surface is in view, as at first.
    *
    * @attr
    */
   get camera(): string | null {
-    return this.#stage?.camera ?? this.#firstCamera;
+    return this.#stage ? this.#stage.camera : this.#firstCamera;
   }
 
   set camera(text: string | null) {

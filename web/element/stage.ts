@@ -11,7 +11,7 @@ import {
 import type { OpenSurface } from '../session/session.ts';
 import { type Frame, frameOf } from '../viewer/frame.ts';
 import { chooseLevel } from '../viewer/level-choice.ts';
-import { type CameraPlace, parsePlace, placeText, type ViewDirection } from '../viewer/linked-cameras.ts';
+import { type CameraPlace, parsePlaces, placesText, type ViewDirection } from '../viewer/linked-cameras.ts';
 import { parseClip } from '../viewer/look.ts';
 import type { ShownColour } from '../viewer/lookup-material.ts';
 import { carriedOver, type MorphCorners } from '../viewer/morph-corners.ts';
@@ -39,7 +39,7 @@ const dividerStep = 0.02;
  *
  * @fires level-wanted with the level that the size on screen asks for
  * @fires stage-drawn when both sides show what they are to show
- * @fires stage-camera with the place of the first camera as text, when it has moved
+ * @fires stage-camera with the place of the camera as text, or of both of them, when one has moved
  * @fires stage-fault with a message where nothing can be drawn
  */
 export class Stage extends LitElement {
@@ -174,8 +174,10 @@ export class Stage extends LitElement {
   declare divider: number;
 
   #viewer: Viewer | null = null;
-  /** Where the camera is to stand when a surface comes; null fits it into view. */
-  #place: CameraPlace | null = null;
+  /** Where the camera is to stand when a surface comes, or both of them; null fits it into view. */
+  #places: CameraPlace[] | null = null;
+  /** Whether the cameras are still to be put there: not before it is known whether they are linked. */
+  #placesDue = false;
   #toldCamera: string | null = null;
   #frame: Frame = { centre: [0, 0, 0], radius: 1 };
   /** What each side has drawn. */
@@ -321,12 +323,14 @@ export class Stage extends LitElement {
     if (changed.has('surface')) this.#showOriginal();
     if (['surface', 'result', 'levels', 'position'].some((each) => changed.has(each))) this.#showReduced();
     if (changed.has('settings')) this.#applySettings(this.#viewer);
+    if (changed.has('surface') || this.#placesDue) this.#applyPlaces(this.#viewer);
     if (changed.has('levels') || changed.has('pixels')) this.#chooseLevel();
   }
 
   #showAll(): void {
     if (!this.#viewer) return;
     this.#applySettings(this.#viewer);
+    this.#applyPlaces(this.#viewer);
     this.#showOriginal();
     this.#showReduced();
   }
@@ -340,15 +344,18 @@ export class Stage extends LitElement {
     this.#viewer?.cameras.lookFrom(direction);
   }
 
-  /** Where the first camera stands, as text; null where everything is fitted into view. */
+  /** Where the camera stands, or both of them, as text; null where everything is fitted into view. */
   get camera(): string | null {
     const cameras = this.#viewer?.cameras;
-    return cameras && !cameras.fitted ? placeText(cameras.place(0)) : null;
+    if (this.#placesDue) return this.#places && placesText(this.#places);
+    if (!cameras || cameras.fitted) return null;
+    return placesText((cameras.linked ? [original] : [original, reduced]).map((side) => cameras.place(side)));
   }
 
   set camera(text: string | null) {
-    this.#place = text === null ? null : parsePlace(text);
-    this.#applyPlace();
+    this.#places = text === null ? null : parsePlaces(text);
+    this.#placesDue = true;
+    this.requestUpdate();
   }
 
   /** What is to be seen as a PNG, with the legends or without; null where nothing can be drawn. */
@@ -380,11 +387,12 @@ export class Stage extends LitElement {
     });
   }
 
-  #applyPlace(): void {
-    const cameras = this.#viewer?.cameras;
-    if (!cameras) return;
+  #applyPlaces({ cameras }: Viewer): void {
+    this.#placesDue = false;
     cameras.fit();
-    for (const side of [original, reduced]) if (this.#place) cameras.setPlace(side, this.#place);
+    const [first, second = first] = this.#places ?? [];
+    if (first) cameras.setPlace(original, first);
+    if (second && !cameras.linked) cameras.setPlace(reduced, second);
   }
 
   #tellCamera(): void {
@@ -396,7 +404,6 @@ export class Stage extends LitElement {
 
   #showOriginal(): void {
     if (this.surface) this.#frame = frameOf(this.surface.mesh.position);
-    this.#applyPlace();
     void this.#show(original, this.surface?.mesh ?? null);
   }
 
@@ -473,8 +480,8 @@ export class Stage extends LitElement {
 
   #applySettings(viewer: Viewer): void {
     viewer.cameras.linked = this.settings.linked;
-    const { edges, flat, orthographic, clip, view } = this.settings;
-    viewer.look = { ...viewer.look, edges, shading: flat ? 'flat' : 'smooth', clip: parseClip(clip) };
+    const { edges, flat, doubleSided, orthographic, clip, view } = this.settings;
+    viewer.look = { edges, shading: flat ? 'flat' : 'smooth', doubleSided, clip: parseClip(clip) };
     viewer.cameras.projection = orthographic ? 'orthographic' : 'perspective';
     viewer.divider = view === 'wipe' ? this.divider : null;
     for (const side of [original, reduced]) this.#repaint(side);

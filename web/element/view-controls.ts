@@ -6,8 +6,8 @@ import { componentsOf } from '../colour/field.ts';
 import type { BoundSettings } from '../session/bound-setting.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { viewDirections } from '../viewer/linked-cameras.ts';
-import { parseClip } from '../viewer/look.ts';
 import { controlsStyle } from './controls-style.ts';
+import './cut-choice.ts';
 import {
   firstView,
   hasSign,
@@ -33,6 +33,9 @@ const viewNames: Record<View, string> = {
   original: 'original',
   reduced: 'reduced',
 };
+
+/** Ranges to choose from, beside those that one types. */
+const offeredRanges = ['data', '1%…99%', '2%…98%', '5%…95%'];
 
 /** A variable, or a component of one, to be looked at. */
 interface Choice {
@@ -246,31 +249,29 @@ export class ViewControls extends LitElement {
   }
 
   #moreControls() {
-    const { flat, orthographic, range, clip, quantity } = this.settings;
+    const { flat, doubleSided, orthographic, range, clip, quantity } = this.settings;
     return html`
       ${this.#tick('Flat shading', flat, (now) => ({ flat: now }))}
+      ${this.#tick('Both sides of triangles', doubleSided, (both) => ({ cull: !both }))}
       ${this.#tick('Parallel, no perspective', orthographic, (now) => ({ orthographic: now }))}
       <label>
         Range
         <input
           type="text"
+          list="ranges"
           placeholder="data"
           title="data, percentiles as 2%…98%, or two values as 0…1.5"
           .value=${range === firstView.range ? '' : range}
           ?disabled=${quantity !== 'value'}
-          @change=${(event: Event) => this.#typed(event, 'range', parseRange)}
+          @change=${this.#typeRange}
         />
+        <datalist id="ranges">${offeredRanges.map((range) => html`<option value=${range}></option>`)}</datalist>
       </label>
-      <label>
-        Cut at
-        <input
-          type="text"
-          placeholder="x < 0.5"
-          title="A plane: x < 0.5 keeps what is below, z > 2 what is above; empty, all"
-          .value=${clip}
-          @change=${(event: Event) => this.#typed(event, 'clip', parseClip)}
-        />
-      </label>
+      <meshbound-cut-choice
+        .surface=${this.surface}
+        .clip=${clip}
+        @clip-change=${({ detail }: CustomEvent<string | null>) => this.#change({ clip: detail })}
+      ></meshbound-cut-choice>
       <div class="axes" role="group" aria-label="Look along an axis">
         ${Object.keys(viewDirections).map(
           (direction) => html`<button
@@ -292,12 +293,12 @@ export class ViewControls extends LitElement {
   }
 
   /** Takes what was typed where it can be understood; else the field says that it cannot. */
-  #typed({ target }: Event, name: 'range' | 'clip', parse: (text: string) => unknown): void {
+  #typeRange({ target }: Event): void {
     const input = target as HTMLInputElement;
     const text = input.value.trim();
-    const understood = text === '' || parse(text) !== null;
+    const understood = parseRange(text) !== null;
     input.setAttribute('aria-invalid', String(!understood));
-    if (understood) this.#change({ [name]: text || null });
+    if (understood) this.#change({ range: text || null });
   }
 
   /** Below its button, inside the window. */

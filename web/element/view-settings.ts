@@ -30,6 +30,8 @@ export interface ViewSettings {
   edges: boolean;
   /** Every triangle as the plane that it is. */
   flat: boolean;
+  /** The backs of triangles too; otherwise one looks through them. */
+  doubleSided: boolean;
   /** Parallels stay parallel. */
   orthographic: boolean;
   /** A plane across an axis, which cuts off one side, as text. */
@@ -48,6 +50,7 @@ export const firstView: ViewSettings = {
   view: 'split',
   edges: false,
   flat: false,
+  doubleSided: true,
   orthographic: false,
   clip: '',
   linked: true,
@@ -69,6 +72,7 @@ export interface WantedView {
   view: string | null;
   edges: boolean;
   flat: boolean;
+  cull: boolean;
   orthographic: boolean;
   clip: string | null;
   unlinked: boolean;
@@ -84,6 +88,7 @@ export function settingsFor(surface: OpenSurface | null, wanted: WantedView): Vi
     view: views.find((name) => name === wanted.view) ?? firstView.view,
     edges: wanted.edges,
     flat: wanted.flat,
+    doubleSided: !wanted.cull,
     orthographic: wanted.orthographic,
     clip: wanted.clip && parseClip(wanted.clip) ? wanted.clip : firstView.clip,
     // One over the other, two cameras would make no sense.

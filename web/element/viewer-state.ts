@@ -15,6 +15,7 @@ export const stateAttributes = [
   'view',
   'edges',
   'flat',
+  'cull',
   'orthographic',
   'clip',
   'unlinked',

@@ -52,6 +52,17 @@ export function parsePlace(text: string): CameraPlace | null {
   return { position, target } as unknown as CameraPlace;
 }
 
+/** Places as text, one a camera, where not all share one: "1.9 1.5 3.8 / 0 0 0; 0 0 4 / 0 0 0". */
+export function placesText(places: CameraPlace[]): string {
+  return places.map(placeText).join('; ');
+}
+
+/** The places that a text states; null where it does not. */
+export function parsePlaces(text: string): CameraPlace[] | null {
+  const places = text.split(';').map(parsePlace);
+  return places.every((place) => place !== null) ? places : null;
+}
+
 /** Controls move a camera in perspective; one in parallel that shows the same size at the target follows it. */
 interface Seat {
   perspective: PerspectiveCamera;
