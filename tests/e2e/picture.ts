@@ -11,16 +11,23 @@ export interface Picture {
 /** How far two parts of a colour may stand apart and still be the same: rounding, and little more. */
 const sameColour = 6;
 
+type Side = 'original' | 'reduced';
+
 /** What a side of the stage shows between its caption and its legend. */
-export async function pictureOf(page: Page, side: 'original' | 'reduced'): Promise<Picture> {
+export async function pictureOf(page: Page, side: Side): Promise<Picture> {
   return decoded(page, await page.screenshot({ clip: await clipOf(page, side) }));
 }
 
+/** The same of one of several viewers on a page. */
+export async function pictureIn(page: Page, viewer: string, side: Side): Promise<Picture> {
+  return decoded(page, await page.screenshot({ clip: await clipOf(page, side, `${viewer} `) }));
+}
+
 /** The part of the page between the caption and the legend of a side. */
-export async function clipOf(page: Page, side: 'original' | 'reduced') {
-  const pane = await box(page, `#${side}`);
-  const caption = await box(page, `#${side} .caption`);
-  const legend = await box(page, `#${side} meshbound-legend`);
+export async function clipOf(page: Page, side: Side, viewer = '') {
+  const pane = await box(page, `${viewer}#${side}`);
+  const caption = await box(page, `${viewer}#${side} .caption`);
+  const legend = await box(page, `${viewer}#${side} meshbound-legend`);
   const top = caption.y + caption.height + 2;
   // One pixel less at every side: the line between the panes is not part of the picture.
   return { x: pane.x + 2, y: top, width: pane.width - 4, height: legend.y - 2 - top };

@@ -35,12 +35,14 @@ export interface CameraPlace {
   target: readonly [number, number, number];
 }
 
-/** Significant digits of a place as text: beyond what can be seen. */
+/** Significant digits of a place as text, and decimals: beyond what can be seen. */
 const placeDigits = 4;
+const placeDecimals = 6;
 
 /** A place as text: "1.9 1.5 3.8 / 0 0 0", where the camera stands and what it looks at. */
 export function placeText({ position, target }: CameraPlace): string {
-  const text = (point: readonly number[]) => point.map((each) => Number(each.toPrecision(placeDigits))).join(' ');
+  const rounded = (part: number) => Number(Number(part.toPrecision(placeDigits)).toFixed(placeDecimals));
+  const text = (point: readonly number[]) => point.map(rounded).join(' ');
   return `${text(position)} / ${text(target)}`;
 }
 

@@ -1,0 +1,206 @@
+import { readFile } from 'node:fs/promises';
+import { expect, type Locator, type Page, test } from '@playwright/test';
+import { difference, pictureIn, shareFromMap } from './picture.ts';
+
+type Viewer = HTMLElementTagNameMap['meshbound-viewer'];
+
+/** A page that anyone could write: the module, and what stands in `body`. */
+async function openOwnPage(page: Page, body: string): Promise<void> {
+  const content = `<!doctype html><html lang="en"><title>Own page</title>
+    <script type="module" src="element/meshbound-viewer.js"></script>${body}</html>`;
+  await page.route('**/own.html', (route) => route.fulfill({ contentType: 'text/html', body: content }));
+  await page.goto('./own.html');
+}
+
+const usual = '<meshbound-viewer src="samples/fireballs.ply" controls></meshbound-viewer>';
+
+async function reduced(viewer: Locator): Promise<void> {
+  await expect(viewer.locator('#reduced .caption')).toContainText(/Reduced [1-9]/);
+  await expect(viewer.locator('.numbers')).toContainText('removed');
+}
+
+/** An attribute of the element, what else can be said by it, and what the view is to show of that. */
+const attributes: [
+  name: string,
+  value: string,
+  property: string | boolean,
+  holds: (viewer: Locator) => Promise<void>,
+][] = [
+  ['bounds', '*: 20%', 'position: 20%; density: 20%', (v) => expect(v.locator('.sentence')).toContainText('20')],
+  ['variable', 'vx', 'vx', (v) => expect(v.locator('.title').first()).toHaveText('vx [km/s]')],
+  [
+    'variable',
+    'position',
+    'position',
+    (v) => expect(v.locator('.title').first()).toHaveText('position, magnitude [m]'),
+  ],
+  ['component', 'y', 'y', (v) => expect(v.locator('.title').first()).toHaveText('position, y [m]')],
+  ['show', 'error', 'error', (v) => expect(v.locator('.title').first()).toHaveText('error / bound: position')],
+  ['show', 'value', 'value', (v) => expect(v.locator('.title').first()).toHaveText('position, y [m]')],
+  ['colormap', 'magma', 'magma', (v) => expect(v.locator('.bar').first()).toHaveAttribute('style', /rgb\(0, 0, 4\)/)],
+  ['range', '-1…1', '-1…1', (v) => expect(v.locator('.swatch')).toHaveCount(4)],
+  ['view', 'original', 'original', (v) => expect(v.locator('#reduced')).toBeHidden()],
+  ['view', 'wipe', 'wipe', (v) => expect(v.locator('.divider')).toBeVisible()],
+  ['view', 'split', 'split', (v) => expect(v.locator('#reduced')).toBeVisible()],
+  ['edges', '', true, (v) => expect(v.getByLabel('Edges')).toBeChecked()],
+  ['unlinked', '', true, (v) => expect(v.getByLabel('One camera')).not.toBeChecked()],
+  ['alt', 'Two balls', 'Two balls', (v) => expect(v.getByRole('group', { name: 'Two balls' })).toBeVisible()],
+];
+
+test('what attributes say, properties say too, and the view shows', async ({ page }) => {
+  await openOwnPage(page, usual + usual);
+  const [byAttribute, byProperty] = [0, 1].map((index) => page.locator('meshbound-viewer').nth(index));
+  await reduced(byAttribute);
+  await reduced(byProperty);
+  for (const [name, value, property, holds] of attributes) {
+    await byAttribute.evaluate((viewer, [key, text]) => viewer.setAttribute(key, text), [name, value]);
+    await holds(byAttribute);
+    const given = typeof property === 'boolean' ? property : value;
+    await byProperty.evaluate((viewer, [key, said]) => Object.assign(viewer, { [key as string]: said }), [name, given]);
+    await holds(byProperty);
+    for (const viewer of [byAttribute, byProperty]) {
+      const read = await viewer.evaluate((element, key) => element[key as keyof typeof element], name);
+      if (typeof property === 'boolean') expect(read).toBe(true);
+      else expect(read).toContain(property);
+    }
+  }
+  await byAttribute.evaluate((viewer) => viewer.removeAttribute('controls'));
+  await expect(byAttribute.locator('.sentence')).toHaveCount(0);
+  await expect(byProperty.locator('.sentence')).toHaveCount(1);
+});
+
+test('the camera is read, set, told of, and stays what an attribute says until it moves', async ({ page }) => {
+  await openOwnPage(page, usual.replace('controls', 'controls camera="0 0 6 / 0 0 0"'));
+  const viewer = page.locator('meshbound-viewer');
+  await reduced(viewer);
+  const camera = () => viewer.evaluate((element: Viewer) => element.camera);
+  await expect.poll(camera).toBe('0 0 6 / 0 0 0');
+  await viewer.evaluate((element: Viewer) => {
+    const told: (string | null)[] = [];
+    element.addEventListener('camera-change', (event) => told.push((event as CustomEvent).detail.camera));
+    Object.assign(window, { told });
+  });
+  const told = () => page.evaluate(() => (window as unknown as { told: (string | null)[] }).told);
+  await viewer.locator('#original').press('ArrowLeft');
+  await expect.poll(async () => (await told()).length).toBeGreaterThan(0);
+  expect(await told()).toContain(await camera());
+  expect(await camera()).not.toBe('0 0 6 / 0 0 0');
+  await viewer.evaluate((element: Viewer) => element.lookFrom('-y'));
+  await expect.poll(camera).toMatch(/^0 -[\d.]+ \S+ \/ 0 0 0$/);
+  await viewer.evaluate((element: Viewer) => element.fit());
+  await expect.poll(camera).toBe(null);
+  await expect.poll(async () => (await told()).at(-1)).toBe(null);
+});
+
+test('gives its picture, its report and its files to the page around it', async ({ page }) => {
+  await openOwnPage(page, usual);
+  const viewer = page.locator('meshbound-viewer');
+  await reduced(viewer);
+  const { type, report } = await viewer.evaluate(async (element: Viewer) => {
+    const blob = await element.toBlob({ legends: false });
+    return { type: blob.type, report: element.report };
+  });
+  expect(type).toBe('image/png');
+  expect(report?.variables.map(({ name }) => name)).toContain('pressure');
+  expect(report?.variables.every(({ ratio }) => ratio <= 1)).toBe(true);
+  for (const kind of ['ply', 'vtp', 'vtk', 'glb', 'obj', 'stl', 'report', 'map'] as const) {
+    const started = page.waitForEvent('download');
+    await viewer.evaluate((element: Viewer, each) => element.save(each), kind);
+    const file = await readFile(await (await started).path());
+    expect(file.length).toBeGreaterThan(1000);
+  }
+});
+
+test('shows a poster until the first surface, and what the page puts into its slots', async ({ page }) => {
+  const svg = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/%3E";
+  await page.route('**/never.ply', () => undefined);
+  await openOwnPage(
+    page,
+    `<meshbound-viewer src="never.ply" poster="${svg}" controls><button slot="controls">Own</button></meshbound-viewer>
+     <meshbound-viewer src="never.ply"><p slot="poster">Please wait</p></meshbound-viewer>
+     <meshbound-viewer src="samples/fireballs.ply" poster="${svg}"></meshbound-viewer>`,
+  );
+  const [image, slotted, drawn] = [0, 1, 2].map((index) => page.locator('meshbound-viewer').nth(index));
+  await expect(image.locator('img')).toBeVisible();
+  await expect(image.getByRole('button', { name: 'Own' })).toBeVisible();
+  await expect(slotted.getByText('Please wait')).toBeVisible();
+  await expect(drawn.locator('#reduced .caption')).toContainText(/Reduced [1-9]/);
+  await expect(drawn.locator('img')).toHaveCount(0);
+});
+
+test('looks as the page around it says, by custom properties and the colour scheme', async ({ page }) => {
+  await openOwnPage(
+    page,
+    `<style>
+      meshbound-viewer { --meshbound-stage: rgb(255, 240, 220); --meshbound-ink: rgb(90, 0, 0); --meshbound-radius: 9px; }
+      meshbound-viewer::part(caption) { text-transform: uppercase; }
+    </style>${usual}`,
+  );
+  const viewer = page.locator('meshbound-viewer');
+  await reduced(viewer);
+  await expect(viewer.locator('meshbound-stage')).toHaveCSS('background-color', 'rgb(255, 240, 220)');
+  await expect(viewer.locator('.sentence')).toHaveCSS('color', 'rgb(90, 0, 0)');
+  await expect(viewer.getByRole('button', { name: 'Fit' })).toHaveCSS('border-radius', '9px');
+  await expect(viewer.locator('#original .caption')).toHaveCSS('text-transform', 'uppercase');
+  // Every custom property that the manifest names is in use.
+  const manifest = await (await page.request.get('element/custom-elements.json')).json();
+  const names: string[] = manifest.modules[0].declarations[0].cssProperties.map(({ name }: { name: string }) => name);
+  const script = await (await page.request.get('element/meshbound-viewer.js')).text();
+  expect(names.filter((name) => !script.includes(`var(${name}`))).toEqual([]);
+});
+
+test('finds workers and WebAssembly elsewhere where the page says so', async ({ page }) => {
+  const elsewhere: string[] = [];
+  await page.route('**/assets-of-mine/**', async (route) => {
+    elsewhere.push(new URL(route.request().url()).pathname);
+    const response = await route.fetch({ url: route.request().url().replace('assets-of-mine', 'element') });
+    await route.fulfill({ response });
+  });
+  const beside: string[] = [];
+  page.on('request', (request) => {
+    if (/\/element\/.*(worker|\.wasm)/.test(request.url())) beside.push(request.url());
+  });
+  await openOwnPage(
+    page,
+    `<script type="module">
+      import { loadWorkersFrom } from './element/meshbound-viewer.js';
+      loadWorkersFrom('./assets-of-mine/');
+      document.body.innerHTML = '${usual}';
+    </script><body></body>`,
+  );
+  await reduced(page.locator('meshbound-viewer'));
+  expect(elsewhere.some((path) => path.endsWith('.wasm'))).toBe(true);
+  expect(elsewhere.filter((path) => path.includes('worker')).length).toBeGreaterThanOrEqual(3);
+  expect(beside).toEqual([]);
+});
+
+test('several on a page are each for themselves', async ({ page }) => {
+  await openOwnPage(
+    page,
+    `<style>meshbound-viewer { height: 300px; aspect-ratio: auto; }</style>
+     <meshbound-viewer id="a" src="samples/fireballs.ply" colormap="cividis"></meshbound-viewer>
+     <meshbound-viewer id="b" src="samples/impact.ply" colormap="magma"></meshbound-viewer>`,
+  );
+  const picture = (id: string) => pictureIn(page, `#${id}`, 'original');
+  for (const [id, map] of [
+    ['a', 'cividis'],
+    ['b', 'magma'],
+  ] as const) {
+    await expect(page.locator(`#${id} #reduced .caption`)).toContainText(/Reduced [1-9]/, { timeout: 30_000 });
+    await expect.poll(async () => shareFromMap(await picture(id), map)).toBeGreaterThan(0.8);
+  }
+  const before = await picture('b');
+  await page.locator('#a #original').press('ArrowLeft');
+  await page.locator('#a').evaluate((viewer) => viewer.setAttribute('show', 'error'));
+  await expect(page.locator('#a .title').first()).toContainText('error');
+  expect(difference(before, await picture('b'))).toBe(0);
+  await page.locator('#a').evaluate((viewer) => viewer.remove());
+  expect(difference(before, await picture('b'))).toBe(0);
+  // And one that is put back draws again.
+  await page.locator('#b').evaluate((viewer) => {
+    const { parentElement } = viewer;
+    viewer.remove();
+    parentElement?.append(viewer);
+  });
+  await expect.poll(async () => difference(before, await picture('b'))).toBeLessThan(0.01);
+});
