@@ -1,5 +1,6 @@
 import { gzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
+import { FormatError } from '../../web/formats/format-error.ts';
 import { addVariables, readSurface } from '../../web/formats/read.ts';
 import { writeSurface } from '../../web/formats/write.ts';
 import { bytesOf, smallMesh } from './sample-mesh.ts';
@@ -55,6 +56,16 @@ describe('a CSV file beside a surface', () => {
     const { variables, units } = await add(text);
     expect(variables.map((each) => each.slice(0, 6))).toEqual(['p [a] ', '[c]d F', 'e Floa', 'f     ']);
     expect(units).toEqual({ 'p [a]': 'b' });
+  });
+
+  it('cut anywhere is refused, or suspected', async () => {
+    const text = 'p,r_0,r_1\n1.25,2,3\n4,5,6\n7,8,9\n10,11,12.75\n';
+    for (let length = 0; length < text.length; length++) {
+      const cut = await add(text.slice(0, length)).catch((error) => error);
+      if (!(cut instanceof FormatError))
+        expect(cut.notes).toContainEqual(expect.stringContaining('CSV file does not end'));
+    }
+    expect((await add(text)).notes).toEqual([]);
   });
 
   it('that is not UTF-8 is refused', async () => {

@@ -42,6 +42,13 @@ describe('OBJ', () => {
     expect(notes).toEqual(['1 face with more than three corners split into triangles.']);
   });
 
+  it('counts lines alike whatever the system that wrote them', async () => {
+    const text = `${points}${'f 1 2 3\n'.repeat(150_000)}f 1 2 x\n`;
+    for (const lineBreak of ['\n', '\r\n', '\r']) {
+      await expect(read(text.replaceAll('\n', lineBreak))).rejects.toMatchObject({ where: 'line 150005' });
+    }
+  });
+
   it('reads a line that goes on a hundred thousand times', async () => {
     const { mesh } = await read(`${points}f 1 \\\n${'\\\n'.repeat(100_000)}2 3\n`);
     expect(Array.from(mesh.triangles)).toEqual([0, 1, 2]);
@@ -96,6 +103,21 @@ describe('OBJ', () => {
       expect(summary).toContain(lost);
     }
     expect((await read(`${points}vt 0 0\nf 1/1 2/1 3/1\n`)).summary).toBe('1 point that no face uses left out.');
+  });
+
+  it('reads texture coordinates of one to three numbers, and names what it does not carry of these and of points', async () => {
+    const textured = (...rows: string[]) =>
+      read(`${points}${rows.map((row) => `vt ${row}\n`).join('')}f 1/1 2/2 3/3\n`);
+    const { mesh, summary } = await textured('0.5', '1 0.25', '0 1 0');
+    expect(mesh.variables[0].values).toEqual(Float64Array.of(0.5, 0, 1, 0.25, 0, 1));
+    expect(summary).toBe('1 point that no face uses left out.');
+    expect((await textured('0 0', '1 0', '0 1 7')).summary).toContain('Not carried: third texture coordinates.');
+    const last = (row: string) => read(`v 0 0 0 1\nv 1 0 0\nv 0 1 ${row}\nf 1 2 3\n`);
+    expect((await last('0 1')).summary).toBe('');
+    for (const row of ['0 0.5', '0 1 1', '0 1 1 1 1']) {
+      expect((await last(row)).summary).toContain('numbers of points beyond places and colours');
+    }
+    await expectFault('v 0 0 0 one\n', 'bad_number', '“one”', 'line 1');
   });
 
   it.each([

@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { readSurface } from '../../web/formats/read.ts';
+import { writeSurface } from '../../web/formats/write.ts';
 import { expectFault } from './faults.ts';
 import { faces, type PlyPart, plyFile, plyOrders, square } from './ply-file.ts';
-import { awkwardDoubles, awkwardFloats, bits, bytesOf } from './sample-mesh.ts';
+import { awkwardDoubles, awkwardFloats, bits, bytesOf, smallMesh } from './sample-mesh.ts';
 
 function withColumns(columns: Record<string, ArrayLike<number>>): PlyPart {
   const rows = square.rows.map((row, index) => [...row, ...Object.values(columns).map((column) => column[index])]);
@@ -92,14 +93,19 @@ describe.each(plyOrders)('PLY, %s', (order) => {
       { name: 'nothing', properties: [], rows: [[], []] },
       {
         name: 'face',
-        properties: ['uchar red', 'list uchar uint vertex_index', 'list uchar float texcoord'],
-        rows: [[9, [0, 1, 2], [0.5, 1]]],
+        properties: [
+          'uchar red',
+          'list uchar uint vertex_index',
+          'list uchar float texcoord',
+          'list uchar int vertex_indices',
+        ],
+        rows: [[9, [0, 1, 2], [0.5, 1], [2, 1]]],
       },
       { name: 'edge', properties: ['int vertex1', 'int vertex2'], rows: [[0, 1]] },
     ];
     const { mesh, summary } = await readSurface('', plyFile(order, parts));
     expect(Array.from(mesh.triangles)).toEqual([0, 1, 2]);
-    for (const name of ['“ring”', '“red”', '“texcoord”', '“edge” (1 row)', '“nothing” (2 rows)'])
+    for (const name of ['“ring”', '“red”', '“texcoord”', '“vertex_indices”', '“edge” (1 row)', '“nothing” (2 rows)'])
       expect(summary).toContain(name);
   });
 
@@ -158,6 +164,29 @@ describe.each(plyOrders)('PLY, %s', (order) => {
     );
     expect({ ...units }).toEqual({ p: 'Pa', position: 'mm' });
     expect(variablesOf(mesh)).toEqual(['p 1']);
+  });
+});
+
+describe('PLY comments in another encoding', () => {
+  const latin1 = (...comments: string[]) => {
+    const lines = comments.map((comment) => `comment ${comment}`);
+    const file = plyFile('ascii', [withColumns({ 'float p': [1, 2, 3, 4] }), faces([0, 1, 2])], lines);
+    return file.map((byte) => (byte === 64 ? 0xb0 : byte));
+  };
+
+  it('are passed over', async () => {
+    const { units } = await readSurface('', latin1('by M@ller', 'unit tests by M@ller', 'unit p Pa'));
+    expect({ ...units }).toEqual({ p: 'Pa' });
+  });
+
+  it.each(['unit p @C', 'variable "@" p', 'components "p" ["@"]'])('that are “%s” are refused', async (comment) => {
+    await expectFault(latin1(comment), 'bad_encoding', 'comment', 'UTF-8');
+  });
+
+  it('are no other encoding because they have its mark', async () => {
+    const mark = { name: 'p', components: 1, values: Float32Array.of(1, 2, 3, 4) };
+    const file = await writeSurface('ply', smallMesh([mark]), { units: { p: '\u{FFFD}' } });
+    expect((await readSurface('', file)).units.p).toBe('\u{FFFD}');
   });
 });
 

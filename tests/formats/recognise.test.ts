@@ -21,10 +21,12 @@ describe('a file', () => {
     expect(recognise(bytesOf(vtp), 'file')).toBe('vtp');
     const obj = `# ${'remark '.repeat(200)}\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n`;
     expect(recognise(bytesOf(obj), 'file')).toBe('obj');
+    const manyComments = `${'# remark\n'.repeat(2000)}mtllib a.mtl\nvn 0 0 1\nv 0 0 0\n`;
+    expect(recognise(bytesOf(manyComments), 'mesh.ply')).toBe('obj');
   });
 
   it('made of comments that lead to nothing is refused, and at once', async () => {
-    await expectFault(`${'<!---->'.repeat(500)}<x`, 'not_a_mesh');
+    await expectFault(`${'<!---->'.repeat(9000)}<x`, 'not_a_mesh');
   });
 
   it('whose variable is named like the geometry has it renamed, and says so', async () => {

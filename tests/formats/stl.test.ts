@@ -40,6 +40,14 @@ describe('STL', () => {
     expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 3, 2]);
   });
 
+  it('is read with the line breaks of any system', async () => {
+    for (const lineBreak of ['\r\n', '\r']) {
+      const text = `solid\n${facet.repeat(20_000)}endsolid\n`.replaceAll('\n', lineBreak);
+      expect((await readSurface('mesh.stl', bytesOf(text))).mesh.triangles).toHaveLength(60_000);
+      await expectFault(text.replace('1 0 0', '1 0'), 'bad_number', '(line 5)');
+    }
+  });
+
   it('is recognised in capitals', async () => {
     const { format, notes } = await readSurface('mesh', bytesOf(`SOLID\n${facet.toUpperCase()}ENDSOLID\n`));
     expect({ format, notes }).toEqual({ format: 'stl', notes: [] });
@@ -52,6 +60,8 @@ describe('STL', () => {
     const { format, summary } = await readSurface('mesh', file);
     expect(format).toBe('stl');
     expect(summary).toContain('attributes of 1 facet.');
+    const longer = await readSurface('mesh.stl', Uint8Array.of(...(await writeSurface('stl', smallMesh())), 1, 2));
+    expect(longer.summary).toContain('2 bytes after the last facet passed over.');
   });
 
   it.each([
@@ -73,6 +83,13 @@ describe('STL', () => {
       '“one”',
       'line 5',
     ],
+    [
+      'with a facet inside another',
+      `solid\n${facet.replace(' endloop\nendfacet\n', '')}${facet}endsolid`,
+      'bad_header',
+      'line 7',
+    ],
+    ['with one end of a facet too many', `solid\n${facet}endfacet\nendsolid`, 'bad_polygon', 'Facet 1', '0 corners'],
     ['with an unknown line', `solid\n${facet}colour red\nendsolid`, 'bad_header', '“colour red”', 'line 9'],
   ] as const)('in text %s is refused', async (_, text, code, ...words) => {
     await expectFault(text, code, ...words);

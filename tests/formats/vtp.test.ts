@@ -101,6 +101,26 @@ describe('VTP pieces', () => {
   });
 });
 
+describe('VTP component names', () => {
+  const namesOf = async (components: number, attributes: string) => {
+    const values = Array(3 * components)
+      .fill(0)
+      .join(' ');
+    const shape = `Name="v" NumberOfComponents="${components}" ${attributes}`;
+    const { componentNames } = await read(
+      vtp(piece({ p: `<DataArray type="Float32" ${shape} format="ascii">${values}</DataArray>` })),
+    );
+    return { ...componentNames };
+  };
+
+  it('are as many as there are components; one that is missing or empty is its number', async () => {
+    expect(await namesOf(3, 'ComponentName0="" ComponentName1="θ"')).toEqual({ v: ['0', 'θ', '2'] });
+    expect(await namesOf(2, 'ComponentName0="" ComponentName1=""')).toEqual({});
+    const many = Array.from({ length: 100 }, (_, i) => `c${i}`);
+    expect(await namesOf(100, many.map((name, i) => `ComponentName${i}="${name}"`).join(' '))).toEqual({ v: many });
+  });
+});
+
 describe('VTP types', () => {
   const arrayOf = async (type: string, text: string) =>
     (await read(vtp(piece({ p: `<DataArray type="${type}" Name="p" format="ascii">${text}</DataArray>` })))).mesh
@@ -279,6 +299,13 @@ describe('a VTP file', () => {
     ],
     ['with an unknown entity', vtp(piece({ p: '<DataArray Name="&lol;"/>' })), 'bad_xml', 'line 2'],
     ['nested without end', vtp('<a>'.repeat(100)), 'bad_xml', 'nested'],
+    ['of elements without end', vtp('<a/>'.repeat(300_000)), 'bad_xml', 'too many'],
+    [
+      'with a DOCTYPE that names another file',
+      `<!DOCTYPE VTKFile SYSTEM "file:///etc/passwd">${vtp(piece()).slice(22)}`,
+      'bad_xml',
+      'DOCTYPE',
+    ],
   ] as const)('%s is refused', async (_, file, code, ...words) => {
     await expectFault(file, code, ...words);
   });

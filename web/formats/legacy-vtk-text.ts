@@ -1,5 +1,6 @@
 import { AsciiNumbers } from './ascii-numbers.ts';
 import { FormatError } from './format-error.ts';
+import { undecoded } from './utf8-text.ts';
 import { byteLength, fromBytes, roomFor, type VtkType, type VtkValues } from './vtk-values.ts';
 import { grouped, quoted } from './wording.ts';
 
@@ -91,9 +92,6 @@ export class LegacyVtkText {
     return values;
   }
 }
-
-/** What a decoder puts in the place of bytes that are no UTF-8. */
-const undecoded = '\u{FFFD}';
 
 /** Names are written with %XX for what is neither letter nor digit nor sign. */
 export function decodeName(word: string, place: string): string {

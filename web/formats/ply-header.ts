@@ -1,4 +1,5 @@
 import { FormatError } from './format-error.ts';
+import { looseText, undecoded } from './utf8-text.ts';
 import { quoted } from './wording.ts';
 
 export type PlyType = 'int8' | 'uint8' | 'int16' | 'uint16' | 'int32' | 'uint32' | 'float32' | 'float64';
@@ -19,6 +20,8 @@ export interface PlyElement {
 export interface PlyHeader {
   encoding: 'ascii' | 'binary_little_endian' | 'binary_big_endian';
   comments: string[];
+  /** Comments need not be, and are no fault unless they have names or units. */
+  isUtf8: boolean;
   elements: PlyElement[];
   /** Where the data begins, in bytes. */
   end: number;
@@ -55,8 +58,8 @@ export function isFloatType(type: PlyType): boolean {
 
 /** Reads the header, from `ply` to `end_header`. Names are as in the file, types by their sized names. */
 export function readPlyHeader(bytes: Uint8Array): PlyHeader {
-  const { lines, end } = headerLines(bytes);
-  const header: PlyHeader = { encoding: 'ascii', comments: [], elements: [], end };
+  const { lines, isUtf8, end } = headerLines(bytes);
+  const header: PlyHeader = { encoding: 'ascii', comments: [], isUtf8, elements: [], end };
   let encoding: PlyHeader['encoding'] | undefined;
   for (const [index, line] of lines.entries()) {
     const where = `header line ${index + 1}`;
@@ -77,7 +80,7 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
 }
 
 /** Lines may end in \n, \r\n or \r; the first line says which, since binary data may begin with any of these bytes. */
-function headerLines(bytes: Uint8Array): { lines: string[]; end: number } {
+function headerLines(bytes: Uint8Array): { lines: string[]; isUtf8: boolean; end: number } {
   const oneByteACharacter = new TextDecoder('latin1').decode(bytes.subarray(0, longestHeader));
   const lineEnd = /^ply[ \t]*(\r\n|\n|\r)/.exec(oneByteACharacter)?.[1];
   const last = lineEnd !== undefined && new RegExp(`${lineEnd}end_header[ \\t]*${lineEnd}`).exec(oneByteACharacter);
@@ -85,8 +88,8 @@ function headerLines(bytes: Uint8Array): { lines: string[]; end: number } {
     const message = 'The PLY header does not end: there is no line “end_header”.';
     throw new FormatError(bytes.length > longestHeader ? 'bad_header' : 'truncated', message, 'header');
   }
-  const lines = new TextDecoder().decode(bytes.subarray(0, last.index)).split(lineEnd);
-  return { lines, end: last.index + last[0].length };
+  const { text, isUtf8 } = looseText(bytes.subarray(0, last.index));
+  return { lines: text.split(lineEnd), isUtf8, end: last.index + last[0].length };
 }
 
 function badHeader(sentence: string, where: string): FormatError {
@@ -123,7 +126,7 @@ function addProperty(header: PlyHeader, words: string[], where: string): void {
   const isList = words[1] === 'list';
   if (words.length !== (isList ? 5 : 3)) throw badHeader('A property needs a type and a name', where);
   const [type, name] = words.slice(-2);
-  if (name.includes('\u{FFFD}')) {
+  if (name.includes(undecoded)) {
     throw new FormatError('bad_encoding', `The name of a property is not UTF-8 (${where}).`, where);
   }
   const property: PlyProperty = { name, type: parseType(type, where) };

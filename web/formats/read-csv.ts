@@ -4,6 +4,7 @@ import { parseNumber } from './ascii-numbers.ts';
 import { FormatError } from './format-error.ts';
 import { groupProperties } from './ply-variables.ts';
 import { type Labels, noLabels } from './surface.ts';
+import { cutNotes } from './text-lines.ts';
 import { utf8Text } from './utf8-text.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
 
@@ -44,7 +45,7 @@ export function readCsv(bytes: Uint8Array, points: number): CsvVariables {
   });
   const empty = [...numbers.values()].reduce((sum, { cells }) => sum + cells.filter((cell) => cell === '').length, 0);
   if (empty > 0) notes.push(`${counted(empty, 'empty cell')} taken for “not a number”.`);
-  return { variables, notes, ...labels };
+  return { variables, notes: [...notes, ...cutNotes(bytes, 'the CSV file')], ...labels };
 }
 
 function columnsOf(text: string, points: number): Column[] {

@@ -52,7 +52,7 @@ class ObjFile {
     const keyword = line.words[0];
     const data = this.corners.find((corner) => corner.keyword === keyword);
     if (keyword === 'v') this.readPoint(line);
-    else if (data) for (const number of numbersFrom(line, 1, data.components)) data.values.push(number);
+    else if (data) this.readCornerData(line, data);
     else if (keyword === 'f' || keyword === 'fo') this.readFace(line);
     else if (lossy.has(keyword)) this.lost.add(lossy.get(keyword) ?? keyword);
     else if (!ignored.has(keyword) && !keyword.startsWith('#')) {
@@ -61,10 +61,22 @@ class ObjFile {
     }
   }
 
-  /** `v x y z`, `v x y z w` or, with a colour, `v x y z r g b`. */
+  /** `v x y z`, `v x y z w` with a weight that is 1 but for free forms or, with a colour, `v x y z r g b`. */
   private readPoint(line: TextLine): void {
     for (const coordinate of numbersFrom(line, 1, 3)) this.points.push(coordinate);
-    if (line.words.length >= 7) for (const part of numbersFrom(line, 4, 3)) this.colours.push(part);
+    const more = line.words.length - 4;
+    if (more >= 3) for (const part of numbersFrom(line, 4, 3)) this.colours.push(part);
+    const isCarried = more === 0 || more === 3 || (more === 1 && numbersFrom(line, 4, 1)[0] === 1);
+    if (!isCarried) this.lost.add('numbers of points beyond places and colours');
+  }
+
+  /** `vn x y z` or `vt u v w`, of which v and w may be missing and are 0 then. */
+  private readCornerData(line: TextLine, { keyword, components, values }: CornerData): void {
+    const isFlat = keyword === 'vt' && line.words.length === 2;
+    for (const number of numbersFrom(line, 1, isFlat ? 1 : components)) values.push(number);
+    if (isFlat) values.push(0);
+    const depth = keyword === 'vt' && line.words.length > 3 ? numbersFrom(line, 3, 1)[0] : 0;
+    if (depth !== 0) this.lost.add('third texture coordinates');
   }
 
   private readFace(line: TextLine): void {

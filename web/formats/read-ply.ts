@@ -13,8 +13,9 @@ import { type PlyValues, plyValues } from './ply-values.ts';
 import { declaredComponentNames, declaredUnits, groupProperties, type PlyVariable } from './ply-variables.ts';
 import { noPolygons, type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
-import { noLabels, type Surface } from './surface.ts';
+import { type Labels, noLabels, type Surface } from './surface.ts';
 import { cutNotes } from './text-lines.ts';
+import { undecoded } from './utf8-text.ts';
 import { capitalised, counted, listed, quoted } from './wording.ts';
 
 // Written by hand although three.js has a PLYLoader. That one converts colours between colour spaces, rounding them; has
@@ -50,7 +51,7 @@ export function readPly(bytes: Uint8Array): Surface {
   const { position, variables, notes: vertexNotes } = parts.vertices ?? noPoints();
   const triangles = joinTriangles(parts, position, notes);
   notes.push(...vertexNotes, ...endNotes(bytes, header, values));
-  return { mesh: { position, triangles, variables }, notes, ...labels(header.comments, variables) };
+  return { mesh: { position, triangles, variables }, notes, ...labels(header, variables) };
 }
 
 function noPoints(): never {
@@ -124,14 +125,19 @@ function vertexNotes(element: PlyElement, byName: Map<string, PlyProperty>, grou
 }
 
 function readFaces(element: PlyElement, values: PlyValues, notes: string[]): Polygons | undefined {
-  const dropped = element.properties.map((property) => property.name).filter((name) => !cornerLists.includes(name));
+  const corners = cornerList(element);
+  const dropped = element.properties.filter((property) => property !== corners).map((property) => property.name);
   if (dropped.length > 0) notes.push(`Not carried: the face properties ${listed(dropped)}.`);
   return readCorners(element, values);
 }
 
+function cornerList({ properties }: PlyElement): PlyProperty | undefined {
+  return properties.find((property) => property.listLength && cornerLists.includes(property.name));
+}
+
 /** The corners of all faces; -1 ends a strip, and ends a polygon only in error. */
 function readCorners(element: PlyElement, values: PlyValues, endMark?: number): Polygons | undefined {
-  const list = element.properties.find((property) => property.listLength && cornerLists.includes(property.name));
+  const list = cornerList(element);
   if (!list) return undefined;
   const collected = new GrowingPolygons();
   for (let row = 0; row < element.count; row++) {
@@ -201,7 +207,7 @@ function endNotes(bytes: Uint8Array, header: PlyHeader, values: PlyValues): stri
   return notes;
 }
 
-function labels(comments: string[], variables: Variable[]) {
+function labels({ comments, isUtf8 }: PlyHeader, variables: Variable[]): Labels {
   const { units, componentNames } = noLabels();
   const known = new Map(variables.map((variable) => [variable.name, variable.components]));
   known.set('position', coordinates.length);
@@ -209,5 +215,17 @@ function labels(comments: string[], variables: Variable[]) {
   for (const [name, names] of declaredComponentNames(comments)) {
     if (known.get(name) === names.length) componentNames[name] = names;
   }
+  if (!isUtf8) requireDecoded([...known.keys(), ...Object.values(units), ...Object.values(componentNames).flat()]);
   return { units, componentNames };
+}
+
+/** Throws where what comments say of names and units is in another encoding than UTF-8. */
+function requireDecoded(labels: string[]): void {
+  const spoilt = labels.find((label) => label.includes(undecoded));
+  if (spoilt === undefined) return;
+  throw new FormatError(
+    'bad_encoding',
+    `The name or unit ${quoted(spoilt)} in a comment is not UTF-8 (header).`,
+    'header',
+  );
 }

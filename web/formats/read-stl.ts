@@ -48,6 +48,8 @@ function readBinary(bytes: Uint8Array, notes: string[]): Float32Array {
     corners.set(bytes.subarray(start, start + cornersSize), facet * cornersSize);
     if (bytes[start + cornersSize] !== 0 || bytes[start + cornersSize + 1] !== 0) coloured++;
   }
+  const extra = bytes.length - needed;
+  if (extra > 0) notes.push(`${counted(extra, 'byte')} after the last facet passed over.`);
   if (coloured > 0) notes.push(`Not carried: colours or other attributes of ${counted(coloured, 'facet')}.`);
   return new Float32Array(corners.buffer);
 }
@@ -60,12 +62,14 @@ function readText(bytes: Uint8Array): Float64Array {
     const keyword = line.words[0].toLowerCase();
     if (keyword === 'solid') open = true;
     else if (keyword === 'endsolid') open = false;
-    else if (keyword === 'facet') corners = 0;
-    else if (keyword === 'vertex') {
+    else if (keyword === 'facet') {
+      if (corners > 0) throw unknownLine(line);
+    } else if (keyword === 'vertex') {
       for (const coordinate of numbersFrom(line, 1, 3)) position.push(coordinate);
       corners++;
     } else if (keyword === 'endfacet') {
       if (corners !== 3) throw wrongCorners(corners, facets, line);
+      corners = 0;
       facets++;
     } else if (keyword !== 'outer' && keyword !== 'endloop') throw unknownLine(line);
   }

@@ -1,3 +1,4 @@
+import type { Variable } from '../../wasm/types.ts';
 import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
 import { noPolygons, type Polygons } from './polygons.ts';
@@ -31,7 +32,7 @@ export function readVtp(bytes: Uint8Array): Surface {
     readPiece(node, packing, pieceNodes.length > 1 ? `piece ${index} ` : ''),
   );
   const mesh = meshOfPieces(pieces, notes);
-  const labels = labelsOf(pieceNodes, ['position', ...mesh.variables.map((variable) => variable.name)]);
+  const labels = labelsOf(pieceNodes, mesh.variables);
   // Pieces repeat the points where they meet.
   return pieces.length > 1 ? { ...sealed(weld(mesh), notes), ...labels } : { mesh, notes, ...labels };
 }
@@ -182,30 +183,27 @@ function notCarried(data: XmlNode | undefined, pieces: XmlNode[]): string[] {
   return cellData.length > 0 ? [...notes, cellDataAdvice] : notes;
 }
 
-function labelsOf(pieces: XmlNode[], names: string[]): Labels {
+function labelsOf(pieces: XmlNode[], variables: Variable[]): Labels {
   const labels = noLabels();
-  const known = new Set(names);
+  const known = new Map(variables.map(({ name, components }) => [name, components]));
   for (const piece of pieces) {
     const points = childrenOf(piece, 'Points').flatMap((parent) => childrenOf(parent, 'DataArray'));
-    for (const node of points) addLabels(node, 'position', labels);
+    for (const node of points) addLabels(node, 'position', 3, labels);
     for (const node of pointArrays(piece)) {
       const { Name: name = '' } = node.attributes;
-      if (known.has(name)) addLabels(node, name, labels);
+      const components = known.get(name);
+      if (components !== undefined) addLabels(node, name, components, labels);
     }
   }
   return labels;
 }
 
-function addLabels(node: XmlNode, name: string, { units, componentNames }: Labels): void {
+/** A component without a name is called by its number. */
+function addLabels(node: XmlNode, name: string, components: number, { units, componentNames }: Labels): void {
   const unit = childrenOf(node, 'InformationKey')
     .find(({ attributes }) => attributes.name === 'UNITS_LABEL')
     ?.text.trim();
   if (unit) units[name] = unit;
-  const components = Array.from(
-    { length: Math.min(componentsOf(node), 64) },
-    (_, index) => node.attributes[`ComponentName${index}`],
-  );
-  if (components.some((component) => component !== undefined)) {
-    componentNames[name] = components.map((component, index) => component ?? String(index));
-  }
+  const names = Array.from({ length: components }, (_, index) => node.attributes[`ComponentName${index}`]);
+  if (names.some(Boolean)) componentNames[name] = names.map((each, index) => each || String(index));
 }

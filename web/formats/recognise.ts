@@ -2,12 +2,13 @@ import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
 import type { Format } from './surface.ts';
 
-/** How files begin. What no reader takes is here too, so that the message can name it. */
-const headBytes = 4096;
+/** Room for the comments that files may begin with. */
+const headBytes = 1 << 16;
 
 /** What may stand before the first element of an XML document; one way to read each letter, so that no text takes long. */
 const prolog = String.raw`(?:\s|<\?(?:[^?]|\?(?!>))*\?>|<!--(?:[^-]|-(?!->))*-->)*(?:<!DOCTYPE[\s\S]*)?`;
 
+/** How files begin. What no reader takes is here too, so that the message can name it. */
 interface Signature {
   begins: RegExp | string;
   format?: Format;
@@ -22,7 +23,7 @@ const signatures: Signature[] = [
   { begins: 'glTF', format: 'glb', called: 'GLB' },
   { begins: /^\s*solid\b[\s\S]*\b(facet|endsolid)\b/i, format: 'stl', called: 'STL' },
   { begins: /^\s*\{/, format: 'glb', called: 'glTF' },
-  { begins: /^\s*(#[^\n]*\n\s*|(mtllib|o|g|s|usemtl)\b[^\n]*\n\s*)*v\s+[-+.\d]/, format: 'obj', called: 'OBJ' },
+  { begins: /^\s*(#[^\n]*\n\s*|(mtllib|o|g|s|usemtl)\b[^\n]*\n\s*)*v[nt]?\s+[-+.\d]/, format: 'obj', called: 'OBJ' },
   { begins: /^\s*OFF\b|^\s*COFF\b/, called: 'OFF' },
   { begins: '\x1F\x8B', called: 'gzip' },
   { begins: 'PK\x03\x04', called: 'ZIP' },

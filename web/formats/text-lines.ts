@@ -1,6 +1,6 @@
 import { parseNumber } from './ascii-numbers.ts';
 import { FormatError } from './format-error.ts';
-import { counted, grouped, quoted } from './wording.ts';
+import { capitalised, counted, grouped, quoted } from './wording.ts';
 
 const chunkSize = 1 << 20;
 /** Room for a polygon of a million corners. */
@@ -12,13 +12,18 @@ export interface TextLine {
   number: number;
 }
 
-/** The lines that are not empty, decoded piece by piece: the whole text need not fit into one string. */
+/** The lines of any system that are not empty, decoded piece by piece: the whole text need not fit into one string. */
 export function* textLines(bytes: Uint8Array): Generator<TextLine> {
   const decoder = new TextDecoder();
   let rest = '';
+  // A break may be of two letters, of which the second is yet to come.
+  let half = '';
   let number = 0;
   for (let at = 0; at < bytes.length; at += chunkSize) {
-    const lines = (rest + decoder.decode(bytes.subarray(at, at + chunkSize), { stream: true })).split('\n');
+    const piece = half + decoder.decode(bytes.subarray(at, at + chunkSize), { stream: true });
+    half = piece.endsWith('\r') ? '\r' : '';
+    const lines = piece.slice(0, piece.length - half.length).split(/\r\n?|\n/);
+    lines[0] = rest + lines[0];
     rest = lines.pop() ?? '';
     if (rest.length > longestLine) throw endlessLine(number + lines.length + 1);
     for (const line of lines) {
@@ -50,8 +55,8 @@ export function numbersFrom({ words, number }: TextLine, from: number, count: nu
   });
 }
 
-/** What is to be said of a text that declares no length and may have lost its end. */
-export function cutNotes(bytes: Uint8Array): string[] {
+/** What is to be said of a text (“the file”) that declares no length and may have lost its end. */
+export function cutNotes(bytes: Uint8Array, what = 'the file'): string[] {
   if (bytes.length === 0 || bytes[bytes.length - 1] <= 32) return [];
-  return ['The file does not end with a line break: if it was cut short, its last number may be wrong.'];
+  return [`${capitalised(what)} does not end with a line break: if it was cut short, its last number may be wrong.`];
 }

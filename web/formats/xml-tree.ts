@@ -11,7 +11,7 @@ export interface XmlNode {
 
 /** Trees of mesh files are flat and small; these only stop files that are made to exhaust memory. */
 const deepest = 32;
-const mostNodes = 1_000_000;
+const mostNodes = 250_000;
 const chunkSize = 1 << 20;
 
 /**
