@@ -1,6 +1,7 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import type { Mesh, Report } from '../../wasm/types.ts';
 import { reportText } from '../../web/cli/report.ts';
+import { writeSurface } from '../../web/formats/write.ts';
 import { Folder } from './command.ts';
 import { engine } from './engine.ts';
 
@@ -167,6 +168,20 @@ describe('--map', () => {
     }
     expect(Math.max(...errors)).toBeLessThanOrEqual(report.variables[1].error);
     expect(Math.max(...errors)).toBeGreaterThan(0);
+  });
+
+  test('keeps units, and gives errors those of their variables', async () => {
+    const units = { position: 'mm', pressure: 'Pa' };
+    folder.write('units.vtp', await writeSurface('vtp', original, { units }));
+    await folder.run('reduce', 'units.vtp', '-o', 'out.ply', ...all, '--map', 'map.vtp');
+    expect({ ...(await folder.read('out.ply')).units }).toEqual(units);
+    expect({ ...(await folder.read('map.vtp')).units }).toEqual({
+      ...units,
+      position_error: 'mm',
+      position_signed_error: 'mm',
+      pressure_error: 'Pa',
+      pressure_signed_error: 'Pa',
+    });
   });
 
   test('tells vectors by the length of the error, and position by the distance along the normal too', async () => {

@@ -7,7 +7,8 @@ import {
   reduceLevels,
   reduce as reduceMesh,
 } from '../../wasm/index.ts';
-import { takenMapNames, triangleName, withMap } from '../formats/map-variables.ts';
+import { labelsWithMap, takenMapNames, triangleName, withMap } from '../formats/map-variables.ts';
+import type { Labels } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import { oddityNotes } from '../session/oddity-notes.ts';
 import { reportJson } from '../session/report-json.ts';
@@ -78,11 +79,11 @@ interface Outcome {
 /** Writes what was asked for. */
 async function writeResult(files: StagedFiles, request: Request, surface: OpenedSurface, reduction: Reduction) {
   const { output, map, report, options } = request;
-  const surfaces: [string, Mesh][] = [[output, reduction.mesh]];
-  if (map) surfaces.push([map, withMap(surface.mesh, reduction)]);
+  const surfaces: [string, Mesh, Labels][] = [[output, reduction.mesh, surface]];
+  if (map) surfaces.push([map, withMap(surface.mesh, reduction), labelsWithMap(surface)]);
   const notes: FileNotes[] = [];
-  for (const [path, mesh] of surfaces) {
-    const { bytes, losses } = await encodeSurface(path, mesh, surface);
+  for (const [path, mesh, labels] of surfaces) {
+    const { bytes, losses } = await encodeSurface(path, mesh, labels);
     await files.write(path, bytes);
     notes.push([path, losses]);
   }

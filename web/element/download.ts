@@ -1,5 +1,5 @@
 import { formatNames } from '../formats/format-names.ts';
-import { takenMapNames, withMap } from '../formats/map-variables.ts';
+import { labelsWithMap, takenMapNames, withMap } from '../formats/map-variables.ts';
 import type { Format } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import { lossesOf, writeSurface } from '../formats/write.ts';
@@ -44,7 +44,7 @@ async function mapFile({ name, mesh, labels }: OpenSurface, { result }: Reduced)
   if (!result.map) throw new Error('There is no map: only tracked errors make one.');
   const taken = takenMapNames(mesh);
   if (taken.length > 0) throw new Error(`The map needs the names of the variables ${listed(taken)} for itself.`);
-  const content = await writeSurface('vtp', withMap(mesh, result), labels);
+  const content = await writeSurface('vtp', withMap(mesh, result), labelsWithMap(labels));
   return { name: savedFileName(name, 'map', 'vtp'), content, losses: [] };
 }
 

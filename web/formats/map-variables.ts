@@ -1,5 +1,6 @@
 import type { Mesh, Reduction, Variable } from '../../wasm/index.ts';
 import { asFloatingPoint } from './precision.ts';
+import { type Labels, noLabels } from './surface.ts';
 
 export const triangleName = 'reduced_triangle';
 const barycentricName = 'reduced_barycentric';
@@ -42,4 +43,13 @@ export function withMap(original: Mesh, { map, vertexErrors }: Reduction): Mesh 
       variables.push({ name: errorNames(name).signedError, components: 1, values: signedError });
   }
   return { ...original, variables: [...original.variables, ...variables] };
+}
+
+/** The labels of the original with those of what withMap adds: errors have the unit of their variable. */
+export function labelsWithMap({ units, componentNames }: Labels): Labels {
+  const all = Object.assign(noLabels().units, units);
+  for (const [name, unit] of Object.entries(units)) {
+    for (const error of Object.values(errorNames(name))) all[error] = unit;
+  }
+  return { units: all, componentNames };
 }
