@@ -81,6 +81,7 @@ void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::v
         const Verdict& verdict = sweeper.verdict(vertex);
         if (verdict.refusal == Refusal::topology) ++report.refused.topology;
         if (verdict.refusal == Refusal::fold) ++report.refused.fold;
+        if (verdict.refusal == Refusal::piercing) ++report.refused.piercing;
         if (verdict.refusal == Refusal::bound) ++report.variables[verdict.variable].refused;
     }
 }

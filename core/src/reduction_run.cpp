@@ -46,7 +46,9 @@ std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& 
 
 ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities, Ticker& ticker)
     : mesh_(mesh), options_(options), oddities_(oddities), ticker_(ticker),
-      surface_(mesh.triangles, vertex_count(mesh)), non_manifold_vertices_(surface_.count(VertexKind::fixed)) {}
+      surface_(mesh.triangles, vertex_count(mesh)), non_manifold_vertices_(surface_.count(VertexKind::fixed)) {
+    if (options.refuse_piercing) piercing_ = std::make_unique<Piercing>(mesh, surface_);
+}
 
 Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span,
                                       LevelLink* link) {
@@ -87,7 +89,7 @@ void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Re
     const std::vector<char> candidate = find_candidates(mesh_, surface_, options_);
     const std::unique_ptr<LinkedTracking> linked = link ? link_from_here(bounds) : nullptr;
     Sweeper sweeper(surface_, *rows_, linked ? static_cast<Accounting&>(*linked) : *accounting_, candidate,
-                    threads_to_use(options_));
+                    threads_to_use(options_), piercing_.get());
     const double swept = span.start + sweeping_share * (span.end - span.start);
     const std::vector<double> limits = limits_of_sweeps(bounds);
     reached_ = bounds;

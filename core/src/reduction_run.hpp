@@ -7,6 +7,7 @@
 #include "linked_tracking.hpp"
 #include "meshbound/level_link.hpp"
 #include "meshbound/reduce.hpp"
+#include "piercing.hpp"
 #include "rows.hpp"
 #include "surface.hpp"
 #include "ticker.hpp"
@@ -48,6 +49,7 @@ private:
     std::size_t non_manifold_vertices_ = 0;
     std::unique_ptr<Rows> rows_;
     std::unique_ptr<Accounting> accounting_;
+    std::unique_ptr<Piercing> piercing_; // where piercing is refused
     std::vector<ResolvedBound> reached_; // the bounds of the last call; empty before the first
 };
 

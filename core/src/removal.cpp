@@ -2,8 +2,9 @@
 
 namespace meshbound {
 
-Removal::Removal(Surface& surface, const Rows& rows, Accounting& accounting)
-    : surface_(surface), rows_(rows), accounting_(accounting.removals()), legality_(accounting_->minds_turns()) {}
+Removal::Removal(Surface& surface, const Rows& rows, Accounting& accounting, Piercing* piercing)
+    : surface_(surface), rows_(rows), accounting_(accounting.removals()), piercing_(piercing),
+      legality_(accounting_->minds_turns()) {}
 
 Verdict Removal::attempt(std::uint32_t candidate, double squared_limit, Effort effort) {
     gather_star(surface_, candidate, hole_);
@@ -11,25 +12,39 @@ Verdict Removal::attempt(std::uint32_t candidate, double squared_limit, Effort e
     if (!legality_.enter(surface_, rows_, hole_)) return {Refusal::topology};
     accounting_->enter(hole_);
     if (!retriangulator_.triangulate(hole_, legality_, accounting_->cost(), retriangulation_)) return {Refusal::fold};
-    Measured measured = accounting_->measure(retriangulation_, squared_limit);
-    if (measured.squared_ratio > squared_limit && effort == Effort::thorough)
-        measured = try_fans(squared_limit, measured);
-    if (measured.squared_ratio > squared_limit) return {Refusal::bound, measured.squared_ratio, measured.variable};
-    surface_.retriangulate(hole_, retriangulation_);
-    accounting_->commit(retriangulation_);
-    return {};
+    Trial trial = try_out(squared_limit);
+    if (!trial.accepted(squared_limit) && effort == Effort::thorough) trial = try_fans(squared_limit, trial);
+    if (trial.accepted(squared_limit)) {
+        take();
+        return {};
+    }
+    if (trial.pierces) return {Refusal::piercing};
+    return {Refusal::bound, trial.measured.squared_ratio, trial.measured.variable};
+}
+
+Removal::Trial Removal::try_out(double squared_limit) {
+    Trial trial{accounting_->measure(retriangulation_, squared_limit)};
+    trial.pierces = piercing_ && trial.accepted(squared_limit) && piercing_->pierces(hole_, retriangulation_);
+    return trial;
 }
 
 /// The cheapest retriangulation is the best guess, not the only one within the bounds: the fans (what collapsing a spoke would
-/// give) are few, and leave 2 % fewer triangles. Returns the first that stays within the limit, else what was refused.
-Measured Removal::try_fans(double squared_limit, Measured refused) {
+/// give) are few, and leave 2 % fewer triangles. Returns the first that is accepted, else what was refused.
+Removal::Trial Removal::try_fans(double squared_limit, Trial refused) {
     for (int hub = 0; hub < hole_.size(); ++hub) {
         if (!retriangulator_.fan(hole_, legality_, hub, retriangulation_)) continue;
-        const Measured measured = accounting_->measure(retriangulation_, squared_limit);
-        if (measured.squared_ratio <= squared_limit) return measured;
-        if (measured.squared_ratio < refused.squared_ratio) refused = measured;
+        const Trial trial = try_out(squared_limit);
+        if (trial.accepted(squared_limit)) return trial;
+        if (trial.measured.squared_ratio < refused.measured.squared_ratio) refused = trial;
     }
     return refused;
+}
+
+/// Takes what was tried out last.
+void Removal::take() {
+    surface_.retriangulate(hole_, retriangulation_);
+    accounting_->commit(retriangulation_);
+    if (piercing_) piercing_->change(hole_, retriangulation_);
 }
 
 } // namespace meshbound

@@ -8,6 +8,7 @@
 #include "hole.hpp"
 #include "layout.hpp"
 #include "legality.hpp"
+#include "piercing.hpp"
 #include "retriangulation.hpp"
 #include "rows.hpp"
 #include "surface.hpp"
@@ -19,6 +20,7 @@ enum class Refusal : std::uint8_t {
     none,     ///< it was removed, or not looked at yet
     topology, ///< §3.2.3, or too large a ring
     fold,     ///< no retriangulation without a fold
+    piercing, ///< what stays within the bounds would pierce another lobe
     bound,    ///< a bound would break
 };
 
@@ -31,7 +33,8 @@ struct Verdict {
 /// One removal, start to end (§3.1): star, layout, retriangulation, mapping, measurement, and acceptance or nothing.
 class Removal {
 public:
-    Removal(Surface& surface, const Rows& rows, Accounting& accounting);
+    /// `piercing`, where given: refuses what it says would pierce.
+    Removal(Surface& surface, const Rows& rows, Accounting& accounting, Piercing* piercing);
 
     /// How hard to look for a retriangulation that stays within the limit.
     enum class Effort {
@@ -49,11 +52,21 @@ public:
     const Hole& hole() const { return hole_; }
 
 private:
-    Measured try_fans(double squared_limit, Measured refused);
+    /// A retriangulation that was looked at.
+    struct Trial {
+        Measured measured;
+        bool pierces = false;
+
+        bool accepted(double squared_limit) const { return measured.squared_ratio <= squared_limit && !pierces; }
+    };
+    Trial try_out(double squared_limit);
+    Trial try_fans(double squared_limit, Trial refused);
+    void take();
 
     Surface& surface_;
     const Rows& rows_;
     std::unique_ptr<RemovalAccounting> accounting_;
+    Piercing* piercing_;
     Hole hole_;
     Legality legality_;
     Retriangulator retriangulator_;

@@ -32,11 +32,11 @@ int depth_of_cut(std::size_t vertices, std::size_t in_patch) {
 } // namespace
 
 Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate,
-                 std::size_t threads)
-    : surface_(surface), rows_(rows), accounting_(accounting), threads_(threads), candidate_(std::move(candidate)),
-      queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1), touched_(candidate_.size(), 0),
-      verdicts_(candidate_.size()) {
-    removals_.push_back(std::make_unique<Removal>(surface, rows, accounting));
+                 std::size_t threads, Piercing* piercing)
+    : surface_(surface), rows_(rows), accounting_(accounting), threads_(threads), piercing_(piercing),
+      candidate_(std::move(candidate)), queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1),
+      touched_(candidate_.size(), 0), verdicts_(candidate_.size()) {
+    removals_.push_back(std::make_unique<Removal>(surface, rows, accounting, piercing));
 }
 
 bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker, double start, double end) {
@@ -57,6 +57,7 @@ bool Sweeper::sweep_once(const Sweep& sweep) {
     next_whole_ = false;
     while (!queue_.empty()) {
         ++round_;
+        if (piercing_) piercing_->tidy();
         const Queue round = std::exchange(queue_, {});
         const bool whole = next_whole_ || round.size() < cutting(sweep.effort).least;
         if (!(whole ? take_whole(sweep, round) : take_in_patches(sweep, round))) return false;
@@ -64,12 +65,14 @@ bool Sweeper::sweep_once(const Sweep& sweep) {
     return true;
 }
 
-/// Everything whose star changed since it was last looked at, or whose known error the limit has passed.
+/// Everything whose star changed since it was last looked at, whose known error the limit has passed, or whose way another
+/// lobe was in, which may have changed.
 void Sweeper::queue_candidates(double squared_limit) {
     queue_.clear();
     for (std::uint32_t vertex = 0; vertex < candidate_.size(); ++vertex) {
         const Verdict& verdict = verdicts_[vertex];
-        if (fresh_[vertex] || (verdict.refusal == Refusal::bound && verdict.squared_ratio <= squared_limit))
+        if (fresh_[vertex] || verdict.refusal == Refusal::piercing ||
+            (verdict.refusal == Refusal::bound && verdict.squared_ratio <= squared_limit))
             queue(vertex, queue_);
     }
 }
@@ -169,7 +172,7 @@ void Sweeper::gather_team() {
     if (team_) return;
     team_ = std::make_unique<Team>(threads_);
     while (removals_.size() < team_->size())
-        removals_.push_back(std::make_unique<Removal>(surface_, rows_, accounting_));
+        removals_.push_back(std::make_unique<Removal>(surface_, rows_, accounting_, piercing_));
 }
 
 } // namespace meshbound

@@ -22,9 +22,9 @@ namespace meshbound {
 /// number of threads.
 class Sweeper {
 public:
-    /// `candidate[v]`: whether vertex v may go at all.
+    /// `candidate[v]`: whether vertex v may go at all. `piercing`, where given: refuses what would pierce.
     Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate,
-            std::size_t threads);
+            std::size_t threads, Piercing* piercing);
 
     /// Sweeps with each limit (fractions of the bounds, rising), which takes the progress from `start` to `end`. False when
     /// the ticker cancelled.
@@ -63,6 +63,7 @@ private:
     const Rows& rows_;
     Accounting& accounting_;
     std::size_t threads_;
+    Piercing* piercing_;
     std::vector<std::unique_ptr<Removal>> removals_; // by member of the team
     std::unique_ptr<Team> team_;                     // gathered for the first large round
     std::vector<char> candidate_;

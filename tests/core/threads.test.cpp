@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "meshes/fields.hpp"
+#include "meshes/near_lobes.hpp"
 #include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
@@ -141,6 +142,16 @@ TEST_P(ThreadsTest, CancelledTheyLeaveAValidResult) {
         EXPECT_EQ(reduction.report.stopped, Stopped::cancelled);
         promise::expect_everything(given.mesh, reduction, 2'000);
     }
+}
+
+/// Patches that many lobes run through, in the last sweep too.
+TEST(ThreadsOfPiercingTest, AnyNumberGivesTheSameBytes) {
+    const Case given{"nested spheres", meshes::nested_spheres(40, 0.01), {{"position", relative(0.02)}}};
+    Options options;
+    options.refuse_piercing = true;
+    const Reduction alone = reduced_by(1, given, options);
+    EXPECT_GT(alone.report.refused.piercing, 0U);
+    for (const unsigned threads : {2U, 5U}) expect_same(alone, reduced_by(threads, given, options));
 }
 
 TEST(ThreadsOfLevelsTest, AnyNumberGivesTheSameLevelsAndMorphs) {

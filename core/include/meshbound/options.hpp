@@ -39,6 +39,11 @@ struct Options {
     bool choose_places = true;
     bool choose_crossings = true;
 
+    /// Refuse every retriangulation with a triangle that would pierce or touch another lobe of the surface that passes near,
+    /// or meet any other triangle beyond the corners and edges that they have in common (§3.2.3). Two triangles of the
+    /// result then meet only if both are triangles of the input, which met before. Decided exactly.
+    bool refuse_piercing = false;
+
     /// Tracked errors only: count the folds of the map when the reduction is done, which takes a few percent of its time.
     bool count_folds = true;
 

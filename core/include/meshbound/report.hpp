@@ -24,6 +24,8 @@ struct Refusals {
     std::size_t fixed = 0;    ///< non-manifold places and locked vertices: never candidates
     std::size_t topology = 0; ///< removal would change the topology: existing edge, tetrahedron, last loop (§3.2.3)
     std::size_t fold = 0;     ///< every retriangulation turns away from the surface or folds onto a neighbour
+    std::size_t piercing =
+        0; ///< what stays within the bounds would pierce another lobe (with Options::refuse_piercing)
 };
 
 enum class Stopped {

@@ -1,0 +1,126 @@
+#include "piercing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "indexing.hpp"
+
+namespace meshbound {
+namespace {
+
+/// The largest coordinate is brought to this power of two. Products of three stay below the largest double, and those of
+/// the smallest differences above the smallest one, as long as no coordinate but 0 is below 1e-150 of the largest.
+constexpr int scaled_exponent = 300;
+
+/// All positions, times a power of two, which rounds nothing.
+std::vector<glm::dvec3> scaled_points(const Mesh& mesh) {
+    std::vector<glm::dvec3> points(vertex_count(mesh));
+    double largest = 0;
+    for (std::size_t vertex = 0; vertex < points.size(); ++vertex)
+        for (int axis = 0; axis < 3; ++axis) {
+            points[vertex][axis] = value_at(mesh.position, vertex, axis);
+            largest = std::max(largest, std::abs(points[vertex][axis]));
+        }
+    if (!(largest > 0)) return points;
+    const int exponent = scaled_exponent - std::ilogb(largest);
+    for (glm::dvec3& point : points)
+        for (int axis = 0; axis < 3; ++axis) point[axis] = std::ldexp(point[axis], exponent);
+    return points;
+}
+
+/// One number for all vertices at the same point: the lowest of them.
+std::vector<std::uint32_t> number_places(const std::vector<glm::dvec3>& points) {
+    std::vector<std::uint32_t> order(points.size()), places(points.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto key = [&](std::uint32_t vertex) {
+        const glm::dvec3& p = points[vertex];
+        return std::tuple(p.x, p.y, p.z);
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t v, std::uint32_t w) { return points[v] == points[w] ? v < w : key(v) < key(w); });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool same = i > 0 && points[order[i]] == points[order[i - 1]];
+        places[order[i]] = same ? places[order[i - 1]] : order[i];
+    }
+    return places;
+}
+
+/// Whether two of the corners are at one place: then there is nothing to it but an edge, which its neighbours have too.
+bool collapsed(const PlacedTriangle& triangle) {
+    const auto& [a, b, c] = triangle.places;
+    return a == b || b == c || c == a;
+}
+
+Box box_of(const PlacedTriangle& triangle) {
+    Box box;
+    if (collapsed(triangle)) return box; // is never found
+    for (const glm::dvec3& point : triangle.points) box.include(point);
+    return box;
+}
+
+} // namespace
+
+Piercing::Piercing(const Mesh& mesh, const Surface& surface)
+    : surface_(surface), points_(scaled_points(mesh)), places_(number_places(points_)) {
+    build();
+}
+
+void Piercing::build() {
+    std::vector<TriangleTree::Item> items;
+    for (std::uint32_t slot = 0; slot < surface_.slot_count(); ++slot)
+        if (surface_.alive(slot)) items.push_back({slot, box_of(placed(slot))});
+    built_over_ = items.size();
+    vanished_ = 0;
+    tree_.build(std::move(items), surface_.slot_count());
+}
+
+void Piercing::tidy() {
+    if (2 * vanished_ > built_over_) build();
+}
+
+PlacedTriangle Piercing::placed(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return {{places_[a], places_[b], places_[c]}, {points_[a], points_[b], points_[c]}};
+}
+
+PlacedTriangle Piercing::placed(std::uint32_t slot) const {
+    return placed(surface_.origin(3 * slot), surface_.origin(3 * slot + 1), surface_.origin(3 * slot + 2));
+}
+
+PlacedTriangle Piercing::placed(const Hole& hole, const NewTriangle& triangle) const {
+    return placed(hole.ring[at(triangle.a)], hole.ring[at(triangle.m)], hole.ring[at(triangle.b)]);
+}
+
+bool Piercing::in_star(std::uint32_t slot, std::uint32_t candidate) const {
+    return surface_.origin(3 * slot) == candidate || surface_.origin(3 * slot + 1) == candidate ||
+           surface_.origin(3 * slot + 2) == candidate;
+}
+
+bool Piercing::pierces(const Hole& hole, const Retriangulation& retriangulation) const {
+    const std::vector<NewTriangle>& fresh = retriangulation.triangles;
+    for (std::size_t n = 0; n < fresh.size(); ++n) {
+        const PlacedTriangle triangle = placed(hole, fresh[n]);
+        if (collapsed(triangle)) continue;
+        const Box box = box_of(triangle);
+        for (std::size_t m = 0; m < n; ++m) {
+            const PlacedTriangle other = placed(hole, fresh[m]);
+            if (box.meets(box_of(other)) && pierce(triangle, other)) return true;
+        }
+        if (tree_.any(box, [&](std::uint32_t slot) {
+                return !in_star(slot, hole.candidate) && pierce(triangle, placed(slot));
+            }))
+            return true;
+    }
+    return false;
+}
+
+void Piercing::change(const Hole& hole, const Retriangulation& retriangulation) {
+    const std::vector<NewTriangle>& fresh = retriangulation.triangles;
+    for (std::size_t n = 0; n < hole.slots.size(); ++n)
+        tree_.change(hole.slots[n], n < fresh.size() ? box_of(placed(hole, fresh[n])) : Box{});
+    vanished_ += hole.slots.size() - fresh.size();
+}
+
+} // namespace meshbound
