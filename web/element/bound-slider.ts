@@ -55,6 +55,11 @@ export class BoundSlider extends LitElement {
       border: 2px solid var(--accent);
       border-radius: var(--radius);
     }
+    @media (any-pointer: coarse), (max-width: 800px) {
+      input {
+        height: 24px;
+      }
+    }
     input:focus-visible {
       outline: 2px solid var(--accent);
       outline-offset: 2px;

@@ -54,6 +54,14 @@ export const controlsStyle = css`
     font-size: inherit;
   }
 
+  /* Large enough for fingers (WCAG 2.2, 2.5.8). */
+  @media (any-pointer: coarse), (max-width: 800px) {
+    label,
+    summary {
+      min-height: 24px;
+    }
+  }
+
   .soft {
     color: var(--ink-soft);
   }

@@ -34,11 +34,13 @@ export class ResultBar extends LitElement {
         gap: var(--gap) 24px;
         align-items: center;
         /* Room for two lines, so that the stage keeps its height. */
-        min-height: 56px;
+        min-height: calc(2 * 1.4em + 17px);
         padding: 8px 16px;
       }
       .sentence {
         flex: 1 1 320px;
+        max-height: var(--sentence-height, none);
+        overflow-y: auto;
         overflow-wrap: anywhere;
       }
       /* It is of earlier bounds while another reduction runs; most are over before anyone could see that. */
@@ -92,6 +94,13 @@ export class ResultBar extends LitElement {
       <span part="numbers" class="numbers soft">${this.#numbers()}</span>
       <slot></slot>
     `;
+  }
+
+  /** A sentence that is longer than its room scrolls, and must be reached from the keyboard then. */
+  override updated(): void {
+    const sentence = this.renderRoot.querySelector('.sentence') as HTMLElement;
+    if (sentence.scrollHeight > sentence.clientHeight) sentence.tabIndex = 0;
+    else sentence.removeAttribute('tabindex');
   }
 
   #numbers() {

@@ -94,8 +94,15 @@ export class App extends LitElement {
       }
       @media (max-width: 800px) {
         :host {
-          grid-template: 'toolbar' auto 'stage' min(150vw, 70dvh) 'levels' auto 'result' auto 'bounds' auto / minmax(0, 1fr);
+          grid-template: 'toolbar' auto 'stage' min(150vw, 70dvh) 'levels' auto 'bounds' auto 'result' auto / minmax(0, 1fr);
           height: auto;
+        }
+        /* In sight while a bound moves, whatever it says, and nothing moves with it. */
+        meshbound-result-bar {
+          --sentence-height: calc(3 * 1.4em);
+          position: sticky;
+          z-index: 1;
+          bottom: 0;
         }
         .bounds {
           border-right: none;

@@ -12,9 +12,13 @@ export class HeldBack extends LitElement {
     css`
       :host {
         display: block;
-        /* Room for the words before they come, and for two lines of what comes next. */
-        min-height: calc(3 * 1.4em + 12px);
+        /* Room for the words before they come. */
+        min-height: calc(1.4em + 12px + 3 * 1.4 * var(--text-small));
         margin-bottom: 8px;
+      }
+      .next {
+        /* So many lines that a few reasons more or less do not move the bounds below. */
+        min-height: calc(3 * 1.4 * var(--text-small));
       }
       p {
         overflow-wrap: anywhere;
@@ -58,7 +62,7 @@ export class HeldBack extends LitElement {
             html`<span title="${reason} ${roughShareText(share)}" .style=${`flex:${share}`}></span>`,
         )}
       </div>
-      <p class="small soft">${rest.length > 0 ? `then ${rest.map(words).join(', ')}` : 'and nothing else'}</p>
+      <p class="next small soft">${rest.length > 0 ? `then ${rest.map(words).join(', ')}` : 'and nothing else'}</p>
     `;
   }
 }

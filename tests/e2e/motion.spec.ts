@@ -1,0 +1,43 @@
+import { expect, type Page, test } from '@playwright/test';
+import { openPage, settled, typePercent } from './open-page.ts';
+
+/** Where the parts of the page have stood, each time that one of them stood elsewhere; how far it is scrolled aside. */
+async function watchParts(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const seen: string[] = [];
+    Object.assign(window, { seen });
+    const parts = ['meshbound-toolbar', 'meshbound-viewer', 'meshbound-levels-panel', '.bounds'];
+    const look = () => {
+      requestAnimationFrame(look);
+      const page = document.querySelector('meshbound-app')?.shadowRoot;
+      const panel = page?.querySelector('meshbound-bounds-panel')?.shadowRoot;
+      const boxes = [...parts.map((part) => page?.querySelector(part)), panel?.querySelector('.row')].map((element) => {
+        const box = element?.getBoundingClientRect();
+        return box && `${element?.className || element?.localName} ${box.x} ${box.y + scrollY} ${box.width}`;
+      });
+      // Not before everything is there.
+      if (boxes.every((box) => box) && boxes.join('; ') !== seen.at(-1)) seen.push(boxes.join('; '));
+    };
+    look();
+  });
+}
+
+for (const [width, height] of [
+  [320, 640],
+  [800, 900],
+  [1280, 800],
+  [1920, 1080],
+]) {
+  test(`nothing jumps while a surface comes and bounds change, at ${width} × ${height}`, async ({ page }) => {
+    await watchParts(page);
+    await page.setViewportSize({ width, height });
+    await openPage(page);
+    for (const percent of ['5', '40', '0.4']) await typePercent(page, 'Largest bound', percent);
+    await page.getByRole('checkbox', { name: 'vx bounded' }).uncheck();
+    await settled(page);
+    await page.getByLabel('Sample').selectOption('impact');
+    await expect(page.locator('.sentence')).toContainText('iron');
+    await settled(page);
+    expect(await page.evaluate(() => (window as unknown as { seen: string[] }).seen)).toHaveLength(1);
+  });
+}
