@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { expect, type Page, test } from '@playwright/test';
 import type { Mesh } from '../../wasm/types.ts';
 import { readSurface } from '../../web/formats/read.ts';
+import { writeSurface } from '../../web/formats/write.ts';
 import { chooseFile, counts, dropFile, sentence, settled, sharePage, typePercent } from './open-page.ts';
 import { coverage, pictureOf } from './picture.ts';
 import { brokenFiles, ply, sheet, squareWithNaN } from './surfaces.ts';
@@ -103,6 +104,21 @@ test('opens a file dropped anywhere', async () => {
   await expect.poll(async () => (await counts(page())).before).toBe(2 * 29 * 29);
   await expect(page().getByTitle('heat', { exact: true })).toBeVisible();
   await expect.poll(async () => coverage(await pictureOf(page(), 'reduced'))).toBeGreaterThan(0.1);
+});
+
+test('opens every format, packed or not', async () => {
+  const formats = ['vtp', 'vtk', 'ply', 'glb', 'obj', 'stl'] as const;
+  let side = 10;
+  for (const format of formats) {
+    for (const gzip of [false, true]) {
+      // Another number of triangles each time tells the files apart.
+      side++;
+      const { mesh } = await readSurface('sheet.ply', new Uint8Array(sheet(side)));
+      const bytes = await writeSurface(format, mesh, { gzip });
+      await dropFile(page(), `sheet.${format}${gzip ? '.gz' : ''}`, Buffer.from(bytes));
+      await expect.poll(async () => (await counts(page())).before).toBe(2 * (side - 1) ** 2);
+    }
+  }
 });
 
 test('offers to leave out a variable that is no number', async () => {

@@ -1,5 +1,7 @@
 /** Files made for tests, as bytes. */
 
+import { gzipSync } from 'node:zlib';
+
 interface PlyParts {
   /** x, y, z and the variables of each vertex, as written. */
   vertices: (string | number)[][];
@@ -102,6 +104,7 @@ export const brokenFiles: { name: string; content: Buffer; says: RegExp }[] = [
   { name: 'cut.ply', content: ply({ vertices: corners, faces: [], declared: { faces: 1 } }), says: /face/ },
   { name: 'points.ply', content: ply({ vertices: corners, faces: [] }), says: /no faces/ },
   { name: 'index.ply', content: ply({ vertices: corners, faces: [[0, 1, 7]] }), says: /[Ff]ace 0 .*7.*3 points/ },
+  { name: 'bomb.ply.gz', content: gzipSync(Buffer.alloc(64 << 20)), says: /that is no mesh/ },
   { name: 'short.vtp', content: Buffer.from(shortVtp), says: /heat.*3/ },
   {
     name: 'nowhere.ply',
