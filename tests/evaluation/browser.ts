@@ -1,7 +1,8 @@
 import { chromium, type Page } from '@playwright/test';
 import { preview } from 'vite';
 
-const options = {
+/** How Chromium is started here. */
+export const browserOptions = {
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
   args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-sync'],
 };
@@ -12,7 +13,7 @@ export async function withPage(
   work: (page: Page) => Promise<void>,
 ): Promise<void> {
   const server = await preview({ configFile: 'web/vite.config.ts', preview: { port: 0 }, logLevel: 'error' });
-  const browser = await chromium.launch(options);
+  const browser = await chromium.launch(browserOptions);
   try {
     await work(await browser.newPage({ ...look, baseURL: server.resolvedUrls?.local[0] }));
   } finally {
