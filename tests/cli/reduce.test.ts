@@ -193,6 +193,25 @@ describe('--map', () => {
   });
 });
 
+test('variables may be named like what JavaScript or the command line has already', async () => {
+  const names = ['__proto__', 'constructor', 'a=b', 'x y', '-q'];
+  const [pressure] = original.variables;
+  await folder.save('names.vtp', { ...original, variables: names.map((name) => ({ ...pressure, name })) });
+  const bounds = ['position=9', ...names.map((name, i) => `${name}=0.${i + 1}`)].map((text) => `--bound=${text}`);
+  const files = ['-o', 'named.ply', '--report', 'names.json', '--map', 'names-map.vtp'];
+  expect(await folder.run('reduce', 'names.vtp', ...files, ...bounds)).toMatchObject({ status: 0, stderr: '' });
+  const report = JSON.parse(folder.text('names.json'));
+  expect(report.variables.map(({ name, bound }: VariableOfReport) => [name, bound])).toEqual([
+    ['position', 9],
+    ...names.map((name, i) => [name, Number(`0.${i + 1}`)]),
+  ]);
+  expect(Object.keys(report.options.bounds)).toEqual(['position', ...names]);
+  expect((await folder.read('named.ply')).mesh.variables.map(({ name }) => name)).toEqual(names);
+  const { mesh } = await folder.read('names-map.vtp');
+  expect(mesh.variables.map(({ name }) => name)).toContain('__proto___error');
+  expect(await folder.run('verify', 'names.vtp', 'named.ply', ...bounds)).toMatchObject({ status: 0, stderr: '' });
+});
+
 test('variables from a CSV file are reduced like those of the surface', async () => {
   const vertices = original.position.length / 3;
   const heat = Array.from({ length: vertices }, (_, vertex) => (original.position[3 * vertex] > 0.5 ? 1 : 0));

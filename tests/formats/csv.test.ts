@@ -32,6 +32,12 @@ describe('a CSV file beside a surface', () => {
     });
   });
 
+  it('may name variables like what JavaScript has already', async () => {
+    const { variables, units } = await add(`__proto__ [s],constructor\n${'1,2\n'.repeat(4)}`);
+    expect(variables).toEqual(['__proto__ Float64Array 1 1 1 1', 'constructor Float64Array 2 2 2 2']);
+    expect(Object.entries(units)).toEqual([['__proto__', 's']]);
+  });
+
   it('may be separated by semicolons or tabs', async () => {
     for (const separator of [';', '\t']) {
       const text = ['p,x', '1,2', '3,4', '5,6', '7,8'].join('\n').replaceAll(',', separator);

@@ -149,13 +149,13 @@ describe('glTF attributes', () => {
     expect(variablesOf(mesh)).toEqual(['P 0 5 0 7']);
   });
 
-  it('may be named like what JavaScript has already', async () => {
+  it('may be named like what JavaScript has already, and are not carried without a name', async () => {
     const p = { components: 1, values: Float32Array.of(1, 2, 3, 4) };
     // As text, since an object would not keep the name.
-    const attributes = JSON.parse('{ "POSITION": 0, "__proto__": 2, "_constructor": 2, "toString": 2 }');
+    const attributes = JSON.parse('{ "POSITION": 0, "__proto__": 2, "_constructor": 2, "toString": 2, "_": 2, "": 2 }');
     const { mesh, summary } = await read(scene([square, corners, p], [{ attributes, indices: 1 }]));
     expect(variablesOf(mesh)).toEqual(['_proto__ 1 2 3 4', 'constructor 1 2 3 4']);
-    expect(summary).toContain('Not carried: the attributes “toString”.');
+    expect(summary).toContain('Not carried: the attributes “toString”, “_”, “”.');
   });
 
   it('that not all primitives have are left out by name', async () => {
@@ -395,6 +395,20 @@ describe('a hostile glTF file', () => {
     ['with a missing accessor', scene([square, corners], [{ ...good, indices: 9 }]), 'bad_header', 'accessor “9”'],
     ['with a missing mesh', scene([square, corners], [good], { nodes: [{ mesh: 3 }] }), 'bad_header', 'mesh “3”'],
     ['with a missing scene', scene([square, corners], [good], { scene: 2 }), 'bad_header', 'scene “2”'],
+    [
+      'with two attributes of one name',
+      scene([square, corners, square], [{ attributes: { POSITION: 0, NORMAL: 2, _normal: 2 }, indices: 1 }]),
+      'duplicate_name',
+      '“normal”',
+    ],
+    [
+      'with a name that is not UTF-8',
+      scene([square, corners], [{ attributes: { POSITION: 0, '_@': 0 }, indices: 1 }]).map((byte) =>
+        byte === 64 ? 0xe4 : byte,
+      ),
+      'bad_encoding',
+      'not UTF-8',
+    ],
     ['with half a matrix', scene([square, corners], [good], { nodes: [{ matrix: [1] }] }), 'bad_header', '16 numbers'],
     [
       'with words for a scale',

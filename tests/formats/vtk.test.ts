@@ -200,6 +200,8 @@ describe('a legacy VTK file', () => {
     await expectFault(file('1 3', '0 1 2'), 'count_mismatch', 'OFFSETS');
     await expectFault(file('3 0', '0 1 2'), 'bad_polygon', 'OFFSETS');
     await expectFault(file('0 3', '0 1 -2'), 'bad_index', '-2');
+    await expectFault(file('0 3', '0 1 4294967298'), 'bad_index', '4294967298');
+    await expectFault(file('0 3', '0 1 9223372036854775807'), 'bad_index', 'CONNECTIVITY');
     await expectFault(file('0 3', '0 1 2').replace('CONNECTIVITY', 'CONNECT'), 'bad_header', '“CONNECT”');
   });
 });
