@@ -30,6 +30,7 @@ test('the page about the element shows it at work, and names everything that it 
   for (const { name } of [...members, ...cssParts, ...cssProperties]) {
     await expect(page.locator('td:first-child code').getByText(name, { exact: true }).first()).toBeAttached();
   }
+  await viewer.locator('#original').press('Enter');
   // Each part that is named is there: red reaches it.
   for (const { name } of cssParts.filter((part) => !['poster', 'notice', 'progress', 'divider'].includes(part.name))) {
     const part = viewer.locator(`[part~=${name.replace('legend-', '')}]`).first();

@@ -1,11 +1,13 @@
 import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
-import { inspect, reduce, reduceLevels } from '../../wasm/index.ts';
+import { inspect, reduce, reduceLevels, segment } from '../../wasm/index.ts';
 import type { Reduction, Report } from '../../wasm/types.ts';
 import type { ValueColormap } from '../colour/colormaps.ts';
+import type { Probe } from '../probe/probe.ts';
 import { areFirst, asBounds, largestFraction } from '../session/bound-setting.ts';
 import { boundsText, readBounds } from '../session/bound-text.ts';
 import { fetchBytes } from '../session/fetch-bytes.ts';
 import { LevelSession } from '../session/level-session.ts';
+import { Probing } from '../session/probing.ts';
 import { readInWorker } from '../session/read.ts';
 import { type Method, type Reduced, Session, type SessionState } from '../session/session.ts';
 import './bound-slider.ts';
@@ -18,7 +20,8 @@ import { percentText } from './number-text.ts';
 import { overall, type Phase, type Step, stepOf } from './progress.ts';
 import { isMeasured } from './promise-words.ts';
 import './result-bar.ts';
-import type { Stage } from './stage.ts';
+import type { Shown, Stage } from './stage.ts';
+import type { Pointed } from './stage-probe.ts';
 import './stage.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import { tokens } from './tokens.ts';
@@ -48,6 +51,7 @@ const lazyMargin = '200px';
  * @fires {CustomEvent<{ name: string, variables: string[] }>} load - A surface is open.
  * @fires {CustomEvent<{ phase: Phase, progress: number }>} progress - What is being done, and how far everything is, 0…1.
  * @fires {CustomEvent<Report>} reduce - A reduction has ended well: its report.
+ * @fires {CustomEvent<{ probe: Probe | null, pinned: boolean }>} probe - Another place is pointed at or pinned: what stands there on both surfaces, and each error; null where none is any more.
  * @fires {CustomEvent<{ camera: string | null }>} camera-change - The camera has moved; the detail is as the attribute.
  * @fires {CustomEvent<{ code: string, message: string }>} error - Something is at fault. What was shown before stays.
  *
@@ -63,6 +67,8 @@ const lazyMargin = '200px';
  * @csspart legend-bar - The colours.
  * @csspart legend-ticks - The numbers that they stand for.
  * @csspart divider - What is dragged between the surfaces when one lies over the other.
+ * @csspart marker - Where a probed place is on a surface.
+ * @csspart probe - What stands at the probed place.
  * @csspart poster - The image before the first surface.
  * @csspart notice - A message over the stage.
  * @csspart progress - How far the work is: a line at the lower edge of the stage.
@@ -235,6 +241,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
   readonly session = new Session({ inspect, reduce, read: readInWorker, fetchBytes });
   /** Levels of detail of what the session reached. @internal */
   readonly levels = new LevelSession(this.session, reduceLevels);
+  #probing = new Probing(segment, (error) => this.session.report(error));
   #levelView: LevelView | null = null;
   #motion = new LevelMotion(this.levels, () => this.#stage?.showsReduced ?? false);
   /** What the last change of the session was compared with. */
@@ -276,6 +283,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.drawnOnce = false;
     this.session.addEventListener('change', () => this.#sessionChanged());
     this.levels.addEventListener('change', () => this.#levelsChanged());
+    this.#probing.addEventListener('change', () => this.#probeChanged());
   }
 
   /**
@@ -322,6 +330,11 @@ export class MeshboundViewer extends LitElement implements WantedView {
   /** The last reduction: mesh, map, errors, report; null where there is none. Its arrays are the viewer's. */
   get reduction(): Reduction | null {
     return this.session.state.reduced?.result ?? null;
+  }
+
+  /** What stands at the place that is pointed at or pinned, on both surfaces; null where none is. */
+  get probe(): Probe | null {
+    return this.#probing.state.probe;
   }
 
   /** How the surfaces are looked at: what is asked for, as far as the surface has it. @internal */
@@ -391,6 +404,19 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.#stage?.lookFrom(direction);
   }
 
+  /** Pins the place where the error of a variable, `position` among them, is largest, and turns it into sight. */
+  async probeWorst(variable: string): Promise<void> {
+    this.#probing.pinWorst(variable);
+    await this.updateComplete;
+    await this.#stage?.updateComplete;
+    this.#stage?.revealProbe();
+  }
+
+  /** Lets go of the place that is pinned. */
+  unpin(): void {
+    this.#probing.pin('original', null);
+  }
+
   /** What is seen as a PNG, with the legends or without. Rejects where nothing can be drawn. */
   async toBlob({ legends = true }: { legends?: boolean } = {}): Promise<Blob> {
     const blob = await this.#stage?.picture({ legends });
@@ -420,7 +446,12 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.#sight?.disconnect();
     this.#motion.stop();
     // Moved within the document, it is back at once.
-    queueMicrotask(() => this.isConnected || this.session.stop());
+    queueMicrotask(() => this.isConnected || this.#stop());
+  }
+
+  #stop(): void {
+    this.session.stop();
+    this.#probing.stop();
   }
 
   override firstUpdated(): void {
@@ -440,7 +471,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
         <meshbound-stage
           role="group"
           aria-label=${this.alt ?? (surface?.name || nothing)}
-          exportparts="pane, caption, legend, legend-title, legend-bar, legend-ticks, canvas, divider"
+          exportparts="pane, caption, legend, legend-title, legend-bar, legend-ticks, canvas, divider, marker, probe"
           .surface=${surface}
           .result=${reduced?.result ?? null}
           .levels=${this.#levelView}
@@ -449,6 +480,14 @@ export class MeshboundViewer extends LitElement implements WantedView {
           @level-wanted=${({ detail }: CustomEvent<number>) => this.#motion.towards(detail)}
           .reducing=${progress !== null}
           .settings=${this.settings}
+          .probe=${this.#probing.state}
+          @stage-shown=${({ detail }: CustomEvent<Shown>) => this.#probing.follow(detail.mesh, detail.reduction)}
+          @stage-point=${({ detail }: CustomEvent<Pointed | null>) =>
+            this.#probing.point(detail?.from ?? 'original', detail?.place ?? null)}
+          @stage-pin=${({ detail }: CustomEvent<Pointed | null>) =>
+            this.#probing.pin(detail?.from ?? 'original', detail?.place ?? null)}
+          @stage-worst=${({ detail }: CustomEvent<string>) => this.probeWorst(detail)}
+          @keydown=${(event: KeyboardEvent) => event.key === 'Escape' && this.unpin()}
           @stage-drawn=${this.#stageDrawn}
           @stage-camera=${({ detail }: CustomEvent<string | null>) => this.#fire('camera-change', { camera: detail })}
           @stage-fault=${this.#stageFault}
@@ -566,6 +605,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
     const [before, now] = [this.#seen, this.session.state];
     this.#seen = now;
     this.requestUpdate();
+    this.#probing.mayCut = now.progress === null;
     if (now.reduced !== before.reduced) this.#drawn = now.reduced === null;
     if (now.surface && now.surface !== before.surface) {
       const { name, variables } = now.surface;
@@ -584,6 +624,12 @@ export class MeshboundViewer extends LitElement implements WantedView {
     if (!nested || !surface) this.#levelView = null;
     else if (this.#levelView?.nested !== nested) this.#levelView = new LevelView(surface, nested);
     this.requestUpdate();
+  }
+
+  #probeChanged(): void {
+    this.requestUpdate();
+    const { probe, pinned, pending } = this.#probing.state;
+    if (!pending) this.#fire('probe', { probe, pinned });
   }
 
   #stageDrawn(): void {

@@ -64,6 +64,14 @@ export function lowerPercentText(fraction: number): string {
   return percentText(roundedDown(fraction, promisedDigits));
 }
 
+/** Below this a share of a bound is as good as none. */
+const smallestShare = 1e-4;
+
+/** The share that a place uses of a bound: "62.1 %"; reads 100 only where it is all, and 0 only where it is none. */
+export function probedShareText(share: number): string {
+  return share > 0 && share < smallestShare ? `<\u00a0${percentText(smallestShare)}` : lowerPercentText(share);
+}
+
 /** "0.31 s", "12 s" */
 export function secondsText(seconds: number): string {
   if (seconds < 0.005) return 'less than 0.01\u00a0s';

@@ -8,6 +8,8 @@ import {
   colourTable,
   missingColour,
 } from '../colour/colormaps.ts';
+import type { Side } from '../probe/probe.ts';
+import { nothingProbed, type ProbeState } from '../session/probing.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { type Frame, frameOf } from '../viewer/frame.ts';
 import { chooseLevel } from '../viewer/level-choice.ts';
@@ -24,6 +26,9 @@ import './legend.ts';
 import { drawLegend } from './legend-picture.ts';
 import type { LevelStep, LevelView, MorphStep } from './level-view.ts';
 import { countText, trianglesText } from './number-text.ts';
+import './probe-layer.ts';
+import type { ProbeLayer } from './probe-layer.ts';
+import { type ProbedStage, StageProbe } from './stage-probe.ts';
 import { firstView, type ViewSettings } from './view-settings.ts';
 
 const sides = ['original', 'reduced'] as const;
@@ -39,6 +44,10 @@ const dividerStep = 0.02;
  *
  * @fires level-wanted with the level that the size on screen asks for
  * @fires stage-drawn when both sides show what they are to show
+ * @fires stage-shown with the mesh and the reduction that are drawn, each null where there is none
+ * @fires stage-point with the point of a surface that is pointed at; null where none is
+ * @fires stage-pin with the point to stay at; null: let go
+ * @fires stage-worst with a variable: where its error is largest is to be shown
  * @fires stage-camera with the place of the camera as text, or of both of them, when one has moved
  * @fires stage-fault with a message where nothing can be drawn
  */
@@ -51,6 +60,7 @@ export class Stage extends LitElement {
     pixels: { attribute: false },
     settings: { attribute: false },
     reducing: { type: Boolean },
+    probe: { attribute: false },
     meanings: { state: true },
     divider: { state: true },
   };
@@ -167,6 +177,8 @@ export class Stage extends LitElement {
   declare pixels: number | null;
   declare settings: ViewSettings;
   declare reducing: boolean;
+  /** What stands at the place that is pointed at. */
+  declare probe: ProbeState;
   /** What the colours of each side mean. */
   declare meanings: (Meaning | null)[];
 
@@ -188,6 +200,8 @@ export class Stage extends LitElement {
   #morphCorners: readonly [finer: MorphCorners, coarser: MorphCorners] | null = null;
   /** The result that the reduced side has drawn: errors on the original side are its errors. */
   #drawnResult: Reduction | null = null;
+  #toldShown: Shown = { mesh: null, reduction: null };
+  #pointing = new StageProbe(this.#probedStage());
 
   constructor() {
     super();
@@ -198,6 +212,7 @@ export class Stage extends LitElement {
     this.pixels = null;
     this.settings = firstView;
     this.reducing = false;
+    this.probe = nothingProbed;
     this.meanings = [null, null];
     this.divider = 0.5;
   }
@@ -207,11 +222,18 @@ export class Stage extends LitElement {
       <canvas part="canvas" aria-hidden="true"></canvas>
       <div class="panes ${this.settings.view}">${sides.map((_, side) => this.#pane(side))}</div>
       ${this.settings.view === 'wipe' ? this.#dividerHandle() : nothing}
+      <meshbound-probe-layer
+        exportparts="marker, probe"
+        .state=${this.probe}
+        .labels=${this.surface?.labels ?? null}
+        @worst-wanted=${({ detail }: CustomEvent<string>) => this.#tell('stage-worst', detail)}
+        @unpin=${() => this.#tell('stage-pin', null)}
+      ></meshbound-probe-layer>
     `;
   }
 
   #pane(side: number) {
-    const keys = 'Arrow keys turn, with Shift they move, plus and minus zoom, 0 fits.';
+    const keys = 'Arrow keys turn, with Shift they move, plus and minus zoom, 0 fits, Enter probes the middle.';
     return html`<div
       class="pane"
       part="pane"
@@ -220,6 +242,10 @@ export class Stage extends LitElement {
       role="application"
       aria-label="${sides[side]} surface. ${keys}"
       @keydown=${(event: KeyboardEvent) => this.#pressKey(side, event)}
+      @pointermove=${(event: PointerEvent) => this.#pointing.move(side, event)}
+      @pointerleave=${() => this.#pointing.leave()}
+      @pointerdown=${(event: PointerEvent) => this.#pointing.press(event)}
+      @click=${(event: MouseEvent) => this.#pointing.click(side, event)}
     >
       <div class="caption" part="caption">${side === original ? this.#originalCaption() : this.#reducedCaption()}</div>
       ${
@@ -312,6 +338,7 @@ export class Stage extends LitElement {
       this.#viewer = new Viewer(canvas, panes);
       this.#viewer.addEventListener('draw', this.#chooseLevel);
       this.#viewer.addEventListener('draw', () => this.#tellCamera());
+      this.#viewer.addEventListener('draw', () => this.#mark());
     } catch {
       const detail = 'Nothing can be drawn: this browser offers no WebGL 2. Reducing and saving still work.';
       this.dispatchEvent(new CustomEvent('stage-fault', { detail }));
@@ -325,6 +352,7 @@ export class Stage extends LitElement {
     if (changed.has('settings')) this.#applySettings(this.#viewer);
     if (changed.has('surface') || this.#placesDue) this.#applyPlaces(this.#viewer);
     if (changed.has('levels') || changed.has('pixels')) this.#chooseLevel();
+    if (changed.has('probe')) this.#mark();
   }
 
   #showAll(): void {
@@ -342,6 +370,11 @@ export class Stage extends LitElement {
   /** Looks along an axis: from its positive or its negative end. */
   lookFrom(direction: ViewDirection): void {
     this.#viewer?.cameras.lookFrom(direction);
+  }
+
+  /** Turns the surfaces until the place that is probed is in sight. */
+  revealProbe(): void {
+    if (this.probe.probe) this.#pointing.reveal(this.probe.probe);
   }
 
   /** Where the camera stands, or both of them, as text; null where everything is fitted into view. */
@@ -421,6 +454,48 @@ export class Stage extends LitElement {
     void this.#show(reduced, mesh, () => this.#changedResult(result));
   }
 
+  /** What points can be probed on: not while a morph or the original is drawn instead of a reduction. */
+  #tellShown(): void {
+    const mesh = this.#drawn[original] === this.surface?.mesh ? (this.surface?.mesh ?? null) : null;
+    const isShown = mesh !== null && this.#drawn[reduced] === this.#drawnResult?.mesh;
+    const shown = { mesh, reduction: isShown ? this.#drawnResult : null };
+    if (shown.mesh === this.#toldShown.mesh && shown.reduction === this.#toldShown.reduction) return;
+    this.#toldShown = shown;
+    this.#tell('stage-shown', shown);
+  }
+
+  #probedStage(): ProbedStage {
+    const stage = this;
+    return {
+      get viewer() {
+        return stage.#viewer;
+      },
+      get panes() {
+        return [...stage.renderRoot.querySelectorAll<HTMLElement>('.pane')];
+      },
+      get view() {
+        return stage.settings.view;
+      },
+      get divider() {
+        return stage.divider;
+      },
+      meshOf: (side: Side) =>
+        side === 'original' ? stage.#toldShown.mesh : (stage.#toldShown.reduction?.mesh ?? null),
+      pointed: (pointed) => stage.#tell('stage-point', pointed),
+      pinned: (pointed) => stage.#tell('stage-pin', pointed),
+    };
+  }
+
+  #mark(): void {
+    const layer = this.renderRoot.querySelector<ProbeLayer>('meshbound-probe-layer');
+    if (layer && (this.probe.probe || layer.markers.length > 0))
+      layer.markers = this.#pointing.markers(this.probe.probe);
+  }
+
+  #tell(type: string, detail: unknown): void {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+
   #changedResult(result: Reduction | null): void {
     this.#drawnResult = result;
     if (this.settings.quantity !== 'value') this.#repaint(original);
@@ -437,6 +512,7 @@ export class Stage extends LitElement {
       this.#changedResult(step.result);
       // The slider may have moved on meanwhile.
       this.#viewer?.setShare(reduced, this.#morph()?.share ?? step.share);
+      this.#tellShown();
       return this.#paintMorph();
     });
   }
@@ -467,6 +543,7 @@ export class Stage extends LitElement {
       drawn();
       return this.#paint(side);
     });
+    this.#tellShown();
     const complete = sides.every((_, each) => this.#drawn[each] === this.#due(each));
     if (mesh && complete) this.dispatchEvent(new CustomEvent('stage-drawn'));
   }
@@ -556,8 +633,15 @@ export class Stage extends LitElement {
 
   #pressKey(side: number, event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === 'Enter') this.#pointing.pinMiddle(side);
     if (this.#viewer?.cameras.pressKey(side, event.key, event.shiftKey)) event.preventDefault();
   }
+}
+
+/** What both sides have drawn. */
+export interface Shown {
+  mesh: Mesh | null;
+  reduction: Reduction | null;
 }
 
 function shown([red, green, blue]: Colour): ShownColour {

@@ -178,6 +178,7 @@ export class App extends LitElement {
           @undo=${() => session.undo()}
           @redo=${() => session.redo()}
           @bounds-change=${({ detail }: CustomEvent<BoundChange>) => this.#changeBounds(detail)}
+          @worst-wanted=${({ detail }: CustomEvent<string>) => this.viewer.probeWorst(detail)}
           @method-change=${({ detail }: CustomEvent<Method>) => this.#set(detail)}
         ></meshbound-bounds-panel>
       </div>
@@ -317,6 +318,7 @@ export class App extends LitElement {
     const target = event.composedPath()[0];
     const typing = target instanceof HTMLInputElement && target.type === 'text';
     if (typing || target instanceof HTMLSelectElement || event.altKey) return;
+    if (event.key === 'Escape') this.viewer.unpin();
     const command = event.ctrlKey || event.metaKey;
     const key = `${command ? 'Ctrl ' : ''}${event.shiftKey ? 'Shift ' : ''}${event.key.toLowerCase()}`;
     if (!(key in this.#keys)) return;

@@ -11,6 +11,7 @@ import './number-field.ts';
  * The bound of one variable and what the result makes of it.
  *
  * @fires bound-change with the new BoundSetting
+ * @fires worst-wanted where the error is largest is to be shown
  */
 export class BoundRow extends LitElement {
   static override properties = {
@@ -55,7 +56,12 @@ export class BoundRow extends LitElement {
         text-overflow: ellipsis;
       }
       .error {
+        min-height: 0;
+        padding: 0;
         white-space: nowrap;
+        text-decoration: underline dotted;
+        background: none;
+        border: none;
       }
       meshbound-bound-slider {
         margin: 3px 0;
@@ -133,9 +139,13 @@ export class BoundRow extends LitElement {
 
   #reached() {
     if (!this.reached) return nothing;
-    return html`<span class="error" title="No point of the surface has a larger error than this.">
+    return html`<button
+      class="error"
+      title="No point of the surface has a larger error than this: show where it is."
+      @click=${() => this.dispatchEvent(new CustomEvent('worst-wanted'))}
+    >
       error ${this.measured ? '' : '≤ '}${upperText(this.reached.error)}
-    </span>`;
+    </button>`;
   }
 
   #slide(fraction: number): void {

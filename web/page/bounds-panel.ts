@@ -30,6 +30,7 @@ const presets = [
  * What holds the result back, a row that moves all bounds, one for each variable of the surface, and the method.
  *
  * @fires bounds-change with a BoundChange
+ * @fires worst-wanted with the name of a variable: where its error is largest is to be shown
  * @fires chart-toggle with whether the chart of triangles against bounds is to be seen
  * @fires undo
  * @fires redo
@@ -191,6 +192,7 @@ export class BoundsPanel extends LitElement {
         .setting=${this.bounds[variable.name]}
         .reached=${this.report?.variables[index] ?? null}
         .measured=${this.measured}
+        @worst-wanted=${() => this.dispatchEvent(new CustomEvent('worst-wanted', { detail: variable.name }))}
         @bound-change=${({ detail }: CustomEvent<BoundSetting>) =>
           this.#change({ variable: variable.name, setting: detail })}
       ></meshbound-bound-row>

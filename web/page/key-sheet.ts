@@ -12,6 +12,8 @@ const keys: [string, string][] = [
   ['Shift ← → ↑ ↓', 'on a surface: move it'],
   ['+ and −', 'on a surface: nearer, farther'],
   ['0', 'on a surface: fit into view'],
+  ['Enter', 'on a surface: pin what its middle shows; a click pins any place'],
+  ['Esc', 'let go of it'],
 ];
 
 /** The keys, in a dialogue. */

@@ -104,7 +104,15 @@ function errorOf(
   return place && reduction ? reduction.triangleErrors[index].largest[place.triangle] : null;
 }
 
-/** The largest share of its bound that a variable has there. */
-export function largestRatio({ variables }: Probe): number {
-  return Math.max(0, ...variables.map(({ ratio }) => ratio ?? 0));
+/** The variable that has the largest share of its bound there; null where none is known. */
+export function largestShare({ variables }: Probe): ProbedVariable | null {
+  const known = variables.filter(({ ratio }) => ratio !== null);
+  return known.reduce<ProbedVariable | null>(
+    (most, each) => (!most || (each.ratio ?? 0) > (most.ratio ?? 0) ? each : most),
+    null,
+  );
+}
+
+function largestRatio(probe: Probe): number {
+  return largestShare(probe)?.ratio ?? 0;
 }

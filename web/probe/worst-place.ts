@@ -1,10 +1,23 @@
-import type { MappedReduction, Mesh, Variable, VertexErrors } from '../../wasm/types.ts';
+import type { MappedReduction, Mesh, Reduction, Variable, VertexErrors } from '../../wasm/types.ts';
 import { type Place, variablesOf } from './place.ts';
 
 /** A point of the original and the point of the reduced surface that it is mapped to. */
 export interface PlacePair {
   original: Place;
   reduced: Place;
+}
+
+/** A reduction with a map and measured errors: those were tracked. */
+export type TrackedReduction = Reduction & MappedReduction & { vertexErrors: VertexErrors[] };
+
+export function isMapped(reduction: Reduction): reduction is TrackedReduction {
+  return reduction.map !== undefined && reduction.vertexErrors !== undefined;
+}
+
+/** The middle of the reduced triangle where the error of a variable may be largest: all that is known without a map. */
+export function worstOnReduced({ triangleErrors }: Reduction, index: number): Place {
+  const { largest } = triangleErrors[index];
+  return { triangle: largestOf(largest.length, (each) => largest[each]), barycentric: [1 / 3, 1 / 3, 1 / 3] };
 }
 
 /**
@@ -15,7 +28,7 @@ export interface PlacePair {
  */
 export function worstPlace(
   mesh: Mesh,
-  reduction: MappedReduction & { vertexErrors: VertexErrors[] },
+  reduction: Pick<TrackedReduction, keyof MappedReduction | 'vertexErrors'>,
   index: number,
 ): PlacePair {
   const { error } = reduction.vertexErrors[index];

@@ -1,0 +1,202 @@
+import { css, html, LitElement, nothing } from 'lit';
+import type { Labels } from '../formats/surface.ts';
+import type { ProbedVariable } from '../probe/probe.ts';
+import { nothingProbed, type ProbeState } from '../session/probing.ts';
+import { controlsStyle } from './controls-style.ts';
+import { probedShareText, valueText } from './number-text.ts';
+
+/** Significant digits of values: enough to see a difference within usual bounds. */
+const valueDigits = 4;
+
+/**
+ * What stands at a place of both surfaces, a row for each variable.
+ *
+ * @fires worst-wanted with the name of a variable: where its error is largest is to be shown
+ * @fires unpin
+ */
+export class ProbeCard extends LitElement {
+  static override properties = {
+    state: { attribute: false },
+    labels: { attribute: false },
+  };
+
+  static override styles = [
+    controlsStyle,
+    css`
+      :host {
+        display: block;
+        padding: 4px 10px 6px;
+        background: var(--panel);
+        border: 1px solid var(--line);
+        border-radius: var(--radius);
+        font-size: var(--text-small);
+        line-height: 1.3;
+        pointer-events: none;
+      }
+      :host([pinned]) {
+        border-color: var(--control-line);
+        pointer-events: auto;
+      }
+      thead button {
+        min-height: 20px;
+        margin-left: 4px;
+        padding: 0 6px;
+        color: var(--ink);
+      }
+      table {
+        width: 100%;
+        border-collapse: collapse;
+      }
+      th,
+      td {
+        padding: 1px 0 1px 12px;
+        font-weight: inherit;
+        text-align: right;
+        vertical-align: top;
+      }
+      thead th {
+        vertical-align: bottom;
+      }
+      thead th {
+        white-space: nowrap;
+      }
+      th:first-child {
+        padding-left: 0;
+        text-align: left;
+      }
+      th[scope='row'] {
+        max-width: 180px;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      td span {
+        display: inline-block;
+        padding-left: 6px;
+        white-space: nowrap;
+      }
+      td.share {
+        white-space: nowrap;
+        background: linear-gradient(var(--accent) 0 0) 12px 100% / calc(var(--share) * (100% - 12px)) 2px no-repeat;
+      }
+      tbody button {
+        min-height: 0;
+        padding: 0;
+        text-decoration: underline dotted;
+        background: none;
+        border: none;
+      }
+      /* The legend has the unit of what is coloured. */
+      @container (max-width: 480px) {
+        :host {
+          padding: 4px 6px;
+          font-size: 11.5px;
+        }
+        th,
+        td {
+          padding-left: 5px;
+        }
+        thead th {
+          white-space: normal;
+        }
+        td span {
+          padding-left: 3px;
+        }
+        th[scope='row'] {
+          max-width: 64px;
+        }
+        th .soft {
+          display: none;
+        }
+      }
+    `,
+  ];
+
+  declare state: ProbeState;
+  declare labels: Labels | null;
+
+  constructor() {
+    super();
+    this.state = nothingProbed;
+    this.labels = null;
+  }
+
+  override render() {
+    const { probe, pinned } = this.state;
+    if (!probe) return nothing;
+    return html`
+      <table>
+        <thead class="soft">
+          <tr>
+            <th scope="col">${pinned ? this.#unpin() : 'Click to pin'}</th>
+            <th scope="col">original</th>
+            <th scope="col">reduced</th>
+            <th scope="col">error${this.#isLimit ? '\u00a0\u2264' : ''}</th>
+            <th scope="col">of bound</th>
+          </tr>
+        </thead>
+        <tbody>${probe.variables.map((variable) => this.#row(variable))}</tbody>
+      </table>
+      ${probe.preimages > 1 ? this.#fold(probe.preimages) : nothing}
+    `;
+  }
+
+  #unpin() {
+    return html`Pinned
+      <button title="Let go (Esc)" @click=${() => this.dispatchEvent(new CustomEvent('unpin'))}>Unpin</button>`;
+  }
+
+  /** Without the place on the original only the limit of a whole triangle is known. */
+  get #isLimit(): boolean {
+    const { probe, pending } = this.state;
+    return !pending && probe !== null && probe.original === null;
+  }
+
+  #row(variable: ProbedVariable) {
+    const { name, error, bound, ratio } = variable;
+    const unit = this.labels?.units[name];
+    const free = error !== null && !Number.isFinite(bound);
+    // While the map is made, an error would be that of a triangle, and jump.
+    const known = !this.state.pending;
+    return html`<tr>
+      <th scope="row" title=${name}>${this.#name(name)}${unit && unit !== '1' ? html` <span class="soft">[${unit}]</span>` : nothing}</th>
+      <td>${this.#values(variable.original)}</td>
+      <td>${this.#values(variable.reduced)}</td>
+      <td>${known && error !== null ? valueText(error) : this.#unknown}</td>
+      <td class="share" .style=${`--share:${known ? Math.min(1, ratio ?? 0) : 0}`}>
+        ${free ? 'free' : known && ratio !== null ? probedShareText(ratio) : this.#unknown}
+      </td>
+    </tr>`;
+  }
+
+  #name(name: string) {
+    if (!this.state.pinned || this.#hasNoErrors) return name;
+    return html`<button
+      title="To where the error of ${name} is largest"
+      @click=${() => this.dispatchEvent(new CustomEvent('worst-wanted', { detail: name }))}
+    >
+      ${name}
+    </button>`;
+  }
+
+  get #hasNoErrors(): boolean {
+    return !this.state.probe?.reduced && !this.state.pending;
+  }
+
+  #values(values: number[] | null) {
+    if (!values) return this.#unknown;
+    // Apart, so that a vector may go over several lines.
+    return values.map((value) => html`<span>${valueText(value, valueDigits)}</span> `);
+  }
+
+  get #unknown(): string {
+    return this.state.pending ? '…' : '–';
+  }
+
+  #fold(preimages: number) {
+    const which = this.state.probe?.from === 'reduced' ? '; this is the one with the largest error' : '';
+    return html`<div class="soft">${preimages} points of the original are mapped here${which}.</div>`;
+  }
+}
+
+customElements.define('meshbound-probe-card', ProbeCard);
