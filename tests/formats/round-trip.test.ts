@@ -91,3 +91,15 @@ describe.each(ways)('%s', (_, format, options) => {
     await fc.assert(property, { numRuns: 200 });
   });
 });
+
+describe('a name that a format cannot hold is refused', () => {
+  const named = (name: string) => smallMesh([{ name, components: 1, values: new Float32Array(4) }]);
+
+  it.each(['vtp', 'vtk', 'glb'] as const)('where it is empty, %s', async (format) => {
+    await expect(writeSurface(format, named(''))).rejects.toMatchObject({ code: 'empty_name' });
+  });
+
+  it.each(['vtp', 'vtk'] as const)('where it is no text, %s', async (format) => {
+    await expect(writeSurface(format, named('\u{D800}'))).rejects.toMatchObject({ code: 'bad_name' });
+  });
+});

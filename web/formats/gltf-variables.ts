@@ -108,11 +108,12 @@ interface Part {
 /** What the project's writer left in the extras, as far as it is what it should be. */
 export function extrasOf(accessor: Accessor): Partial<GltfExtras> {
   const { name, unit, componentNames, component } = (accessor.getExtras().meshbound ?? {}) as Partial<GltfExtras>;
-  const isText = (value: unknown) => typeof value === 'string' && value !== '';
+  const isString = (value: unknown) => typeof value === 'string';
+  const isText = (value: unknown) => isString(value) && value !== '';
   return {
     ...(isText(name) ? { name } : {}),
     ...(isText(unit) ? { unit } : {}),
-    ...(Array.isArray(componentNames) && componentNames.every(isText) ? { componentNames } : {}),
+    ...(Array.isArray(componentNames) && componentNames.every(isString) ? { componentNames } : {}),
     ...(Number.isSafeInteger(component) ? { component } : {}),
   };
 }

@@ -105,8 +105,11 @@ export function decodeName(word: string, place: string): string {
   }
 }
 
-/** A name as the word that decodeName takes back. */
+/** A name as the word that decodeName takes back. Throws where it is no text: halves of characters have no UTF-8. */
 export function encodeName(name: string): string {
+  if (/\p{Surrogate}/u.test(name)) {
+    throw new FormatError('bad_name', `A legacy VTK file cannot hold the name ${quoted(name)}.`, quoted(name));
+  }
   const bytes = new TextEncoder().encode(name);
   const isPlain = (byte: number) => byte > 32 && byte < 127 && byte !== 34 && byte !== 37;
   const hex = (byte: number) => `%${byte.toString(16).toUpperCase().padStart(2, '0')}`;

@@ -1,5 +1,4 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
-import { FormatError } from './format-error.ts';
 import { encodeName } from './legacy-vtk-text.ts';
 import type { WriteOptions } from './surface.ts';
 
@@ -23,7 +22,6 @@ export function writeVtk(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   ];
   for (const variable of mesh.variables) {
     const { name, components, values } = variable;
-    if (name === '') throw new FormatError('empty_name', 'A legacy VTK file cannot hold a variable without a name.');
     chunks.push(
       `${encodeName(name)} ${components} ${points} ${typeOf(values)}\n`,
       values,

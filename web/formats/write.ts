@@ -14,26 +14,28 @@ interface Writer {
   single: boolean;
   /** Whether units and component names have a place. */
   labels: boolean;
+  /** Whether a variable may have an empty name. */
+  nameless: boolean;
 }
 
-const lossless = { lost: () => [], single: false, labels: true };
+const lossless = { lost: () => [], single: false, labels: true, nameless: false };
 
 /** One writer a format, each loaded when first asked for. */
 const writers: Record<Format, () => Promise<Writer>> = {
-  ply: async () => ({ write: (await import('./write-ply.ts')).writePly, ...lossless }),
+  ply: async () => ({ write: (await import('./write-ply.ts')).writePly, ...lossless, nameless: true }),
   vtp: async () => ({ write: (await import('./write-vtp.ts')).writeVtp, ...lossless }),
   vtk: async () => ({ write: (await import('./write-vtk.ts')).writeVtk, ...lossless }),
   obj: async () => {
     const { writeObj, lostInObj } = await import('./write-obj.ts');
-    return { write: writeObj, lost: lostInObj, single: false, labels: false };
+    return { write: writeObj, lost: lostInObj, single: false, labels: false, nameless: true };
   },
   stl: async () => {
     const { writeStl } = await import('./write-stl.ts');
-    return { write: writeStl, lost: (mesh) => mesh.variables, single: true, labels: false };
+    return { write: writeStl, lost: (mesh) => mesh.variables, single: true, labels: false, nameless: true };
   },
   glb: async () => {
     const { writeGlb } = await import('./write-glb.ts');
-    return { write: writeGlb, lost: () => [], single: true, labels: true };
+    return { write: writeGlb, lost: () => [], single: true, labels: true, nameless: false };
   },
 };
 
@@ -43,7 +45,8 @@ const writers: Record<Format, () => Promise<Writer>> = {
  * or value; `where` is the variable then.
  */
 export async function writeSurface(format: Format, mesh: Mesh, options?: WriteOptions): Promise<Uint8Array> {
-  const { write, lost, single } = await writers[format]();
+  const { write, lost, single, nameless } = await writers[format]();
+  if (!nameless) requireNames(format, mesh);
   if (single) requireFinite(format, keptVariables(mesh, lost(mesh)));
   const file = await withinMemory(() => write(mesh, options));
   return options?.gzip ? gzip(file) : file;
@@ -79,6 +82,11 @@ function labelLosses(format: Format, kept: Variable[], { units = {}, componentNa
 /** The geometry and what is not lost. */
 function keptVariables({ position, variables }: Mesh, lost: Variable[]): Variable[] {
   return [{ name: 'position', components: 3, values: position }, ...variables.filter((each) => !lost.includes(each))];
+}
+
+function requireNames(format: Format, { variables }: Mesh): void {
+  if (variables.every(({ name }) => name !== '')) return;
+  throw new FormatError('empty_name', `${formatNames[format]} cannot hold a variable without a name.`);
 }
 
 function requireFinite(format: Format, variables: Variable[]): void {
