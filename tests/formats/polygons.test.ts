@@ -41,5 +41,14 @@ describe('splitting polygons', () => {
   it('refuses concave ones that would take for ever', () => {
     const { position, polygons } = comb(2001);
     expect(() => triangulate(polygons, position, 'face')).toThrow(/concave face 0 has 2 001 corners/);
+    const many = (corners: number, count: number) => {
+      const one = comb(corners);
+      const ends = Uint32Array.from({ length: count }, (_, i) => (i + 1) * corners);
+      const all = Uint32Array.from({ length: count * corners }, (_, i) => i % corners);
+      return triangulate({ corners: all, ends }, one.position, 'face').triangles.length / 3;
+    };
+    expect(() => many(2000, 26)).toThrow(/concave face 25 has 2 000 corners, which is too much after/);
+    expect(many(2000, 20)).toBe(20 * 1998);
+    expect(many(5, 100_000)).toBe(300_000);
   });
 });

@@ -15,6 +15,9 @@ type Vector = [number, number, number];
 
 /** Ear clipping is quadratic on hostile outlines; an honest face of a mesh has not nearly so many corners. */
 const mostConcaveCorners = 2_000;
+/** So much all of them together may take, as squares of their corners; small ones are quick however many there are. */
+const mostConcaveWork = 100_000_000;
+const smallPolygon = 64;
 
 /**
  * Triangles in place of polygons, in their order and orientation; `split` counts the polygons that had more than three
@@ -32,10 +35,11 @@ export function triangulate(polygons: Polygons, position: Position, noun: string
   });
   if (split === 0) return { triangles: corners, split };
   const triangles = new Uint32Array(3 * total);
+  const budget = { work: mostConcaveWork };
   let at = 0;
   forEachPolygon(ends, (start, end, index) => {
     const polygon = corners.subarray(start, end);
-    triangles.set(polygon.length === 3 ? polygon : splitPolygon(polygon, position, `${noun} ${index}`), at);
+    triangles.set(polygon.length === 3 ? polygon : splitPolygon(polygon, position, budget, `${noun} ${index}`), at);
     at += 3 * (polygon.length - 2);
   });
   return { triangles, split };
@@ -96,14 +100,19 @@ function badIndex(corner: number, where: string, points: number): FormatError {
   return new FormatError('bad_index', `${capitalised(where)} names point ${corner}, but ${there}.`, where);
 }
 
-function splitPolygon(polygon: Uint32Array, position: Position, where: string): Uint32Array {
+function splitPolygon(polygon: Uint32Array, position: Position, budget: { work: number }, where: string): Uint32Array {
   const normal = newellNormal(polygon, position);
   if (fanIsFaithful(polygon, position, normal)) return fan(polygon);
-  if (polygon.length > mostConcaveCorners) {
-    const message = `The concave ${where} has ${counted(polygon.length, 'corner')}; no more than ${mostConcaveCorners} can be split.`;
-    throw new FormatError('bad_polygon', message, where);
-  }
+  if (polygon.length > smallPolygon) budget.work -= polygon.length ** 2;
+  if (polygon.length > mostConcaveCorners || budget.work < 0) throw costly(polygon.length, budget.work < 0, where);
   return clipEars(polygon, position, normal) ?? fan(polygon);
+}
+
+function costly(corners: number, isOneOfMany: boolean, where: string): FormatError {
+  const limit = isOneOfMany
+    ? 'which is too much after all those before it'
+    : `and no more than ${mostConcaveCorners} can be split`;
+  return new FormatError('bad_polygon', `The concave ${where} has ${counted(corners, 'corner')}, ${limit}.`, where);
 }
 
 function fan(polygon: Uint32Array): Uint32Array {
