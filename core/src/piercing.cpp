@@ -54,8 +54,8 @@ bool collapsed(const PlacedTriangle& triangle) {
     return a == b || b == c || c == a;
 }
 
-Box box_of(const PlacedTriangle& triangle) {
-    Box box;
+BoundingBox box_of(const PlacedTriangle& triangle) {
+    BoundingBox box;
     if (collapsed(triangle)) return box; // is never found
     for (const glm::dvec3& point : triangle.points) box.include(point);
     return box;
@@ -103,7 +103,7 @@ bool Piercing::pierces(const Hole& hole, const Retriangulation& retriangulation)
     for (std::size_t n = 0; n < fresh.size(); ++n) {
         const PlacedTriangle triangle = placed(hole, fresh[n]);
         if (collapsed(triangle)) continue;
-        const Box box = box_of(triangle);
+        const BoundingBox box = box_of(triangle);
         for (std::size_t m = 0; m < n; ++m) {
             const PlacedTriangle other = placed(hole, fresh[m]);
             if (box.meets(box_of(other)) && pierce(triangle, other)) return true;
@@ -119,7 +119,7 @@ bool Piercing::pierces(const Hole& hole, const Retriangulation& retriangulation)
 void Piercing::change(const Hole& hole, const Retriangulation& retriangulation) {
     const std::vector<NewTriangle>& fresh = retriangulation.triangles;
     for (std::size_t n = 0; n < hole.slots.size(); ++n)
-        tree_.change(hole.slots[n], n < fresh.size() ? box_of(placed(hole, fresh[n])) : Box{});
+        tree_.change(hole.slots[n], n < fresh.size() ? box_of(placed(hole, fresh[n])) : BoundingBox{});
     vanished_ += hole.slots.size() - fresh.size();
 }
 

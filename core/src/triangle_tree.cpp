@@ -19,14 +19,14 @@ void improve(std::atomic<double>& number, double value, Better better) {
 
 } // namespace
 
-void TriangleTree::Node::set(const Box& box) {
+void TriangleTree::Node::set(const BoundingBox& box) {
     for (int axis = 0; axis < 3; ++axis) {
         lowest_[static_cast<std::size_t>(axis)].store(box.lowest[axis], std::memory_order_relaxed);
         highest_[static_cast<std::size_t>(axis)].store(box.highest[axis], std::memory_order_relaxed);
     }
 }
 
-void TriangleTree::Node::grow(const Box& box) {
+void TriangleTree::Node::grow(const BoundingBox& box) {
     for (int axis = 0; axis < 3; ++axis) {
         improve(lowest_[static_cast<std::size_t>(axis)], box.lowest[axis], std::less<>());
         improve(highest_[static_cast<std::size_t>(axis)], box.highest[axis], std::greater<>());
@@ -42,8 +42,8 @@ void TriangleTree::build(std::vector<Item> items, std::size_t slots) {
 }
 
 /// Halves the items at the median across the longest side of the box of their middles.
-Box TriangleTree::build(std::size_t node, Items first, Items last) {
-    Box box;
+BoundingBox TriangleTree::build(std::size_t node, Items first, Items last) {
+    BoundingBox box;
     if (node >= leaves_) {
         if (first != last) {
             box = first->box;
@@ -51,7 +51,7 @@ Box TriangleTree::build(std::size_t node, Items first, Items last) {
             leaf_of_[first->slot] = static_cast<std::uint32_t>(node - leaves_);
         }
     } else {
-        Box middles; // twice as far out
+        BoundingBox middles; // twice as far out
         for (auto item = first; item != last; ++item) middles.include(item->box.lowest + item->box.highest);
         const glm::dvec3 side = middles.highest - middles.lowest;
         const int axis = side.x >= side.y && side.x >= side.z ? 0 : side.y >= side.z ? 1 : 2;
@@ -60,7 +60,7 @@ Box TriangleTree::build(std::size_t node, Items first, Items last) {
             std::nth_element(first, middle, last, [axis](const Item& one, const Item& other) {
                 return one.box.lowest[axis] + one.box.highest[axis] < other.box.lowest[axis] + other.box.highest[axis];
             });
-        const Box left = build(2 * node, first, middle), right = build(2 * node + 1, middle, last);
+        const BoundingBox left = build(2 * node, first, middle), right = build(2 * node + 1, middle, last);
         box.lowest = glm::min(left.lowest, right.lowest);
         box.highest = glm::max(left.highest, right.highest);
     }
@@ -69,7 +69,7 @@ Box TriangleTree::build(std::size_t node, Items first, Items last) {
 }
 
 /// From the root down, so that whoever looks meanwhile finds each box within the one above it.
-void TriangleTree::change(std::uint32_t slot, const Box& box) {
+void TriangleTree::change(std::uint32_t slot, const BoundingBox& box) {
     const std::size_t leaf = leaves_ + leaf_of_[slot];
     for (int level = std::bit_width(leaf) - 1; level > 0; --level) nodes_[leaf >> level].grow(box);
     nodes_[leaf].set(box);

@@ -13,14 +13,14 @@
 namespace meshbound {
 
 /// A box along the axes; empty at first.
-struct Box {
+struct BoundingBox {
     glm::dvec3 lowest{std::numeric_limits<double>::infinity()}, highest{-std::numeric_limits<double>::infinity()};
 
     void include(const glm::dvec3& p) {
         lowest = glm::min(lowest, p);
         highest = glm::max(highest, p);
     }
-    bool meets(const Box& other) const {
+    bool meets(const BoundingBox& other) const {
         return lowest.x <= other.highest.x && other.lowest.x <= highest.x && lowest.y <= other.highest.y &&
                other.lowest.y <= highest.y && lowest.z <= other.highest.z && other.lowest.z <= highest.z;
     }
@@ -36,18 +36,18 @@ class TriangleTree {
 public:
     struct Item {
         std::uint32_t slot;
-        Box box;
+        BoundingBox box;
     };
 
     /// Builds the tree over these slots, all of them less than `slots`.
     void build(std::vector<Item> items, std::size_t slots);
 
     /// Gives one of the slots that the tree was built over another box. An empty box is never found.
-    void change(std::uint32_t slot, const Box& box);
+    void change(std::uint32_t slot, const BoundingBox& box);
 
     /// Whether `test(slot)` holds for one of the slots whose boxes meet the given one; asks no more of them than need be.
     template <class Test>
-    bool any(const Box& box, Test test) const {
+    bool any(const BoundingBox& box, Test test) const {
         std::array<std::size_t, 2 * std::numeric_limits<std::size_t>::digits> waiting;
         std::size_t count = 0;
         if (leaves_ > 0) waiting[count++] = 1;
@@ -68,23 +68,23 @@ private:
     /// A box that threads may read while another changes it: each number by itself is whole.
     class Node {
     public:
-        Box box() const;
-        void set(const Box& box);
-        void grow(const Box& box);
+        BoundingBox box() const;
+        void set(const BoundingBox& box);
+        void grow(const BoundingBox& box);
 
     private:
         std::array<std::atomic<double>, 3> lowest_, highest_;
     };
     using Items = std::vector<Item>::iterator;
-    Box build(std::size_t node, Items first, Items last);
+    BoundingBox build(std::size_t node, Items first, Items last);
 
     std::size_t leaves_ = 0;  // a power of two, or none
     std::vector<Node> nodes_; // the root is 1, below node n are 2n and 2n + 1, the leaves come last
     std::vector<std::uint32_t> slot_of_, leaf_of_;
 };
 
-inline Box TriangleTree::Node::box() const {
-    Box box;
+inline BoundingBox TriangleTree::Node::box() const {
+    BoundingBox box;
     for (int axis = 0; axis < 3; ++axis) {
         box.lowest[axis] = lowest_[static_cast<std::size_t>(axis)].load(std::memory_order_relaxed);
         box.highest[axis] = highest_[static_cast<std::size_t>(axis)].load(std::memory_order_relaxed);
