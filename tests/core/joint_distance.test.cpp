@@ -142,6 +142,20 @@ TEST(JointDistance, FindsAPointOfAHugeTriangleOrSegment) {
     }
 }
 
+TEST(JointDistance, IsTheMinimumOverASegmentThatIsHugeBesideTheBounds) {
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+        meshes::Random random(seed);
+        const double size = std::pow(10.0, random.uniform(2, 6));
+        Case one{{3, 1, 1, 1}, random_row(random, 6, 1), random_row(random, 6, size), random_row(random, 6, size), {}};
+        one.c = one.b;
+        const double u = random.uniform(0, 1);
+        for (std::size_t i = 0; i < 6; ++i) one.q[i] += one.a[i] + u * (one.b[i] - one.a[i]);
+        const JointDistance metric(one.components);
+        const double least = search(0, 1, [&](double along) { return at(one, metric, along, 0); });
+        EXPECT_NEAR(solve(one, metric).distance, least, 1e-6 * std::max(1.0, least)) << "seed " << seed;
+    }
+}
+
 TEST(JointDistance, OfOneVariableIsTheEuclideanOne) {
     const JointDistance metric({3});
     const Case one{{3}, {1, 1, 5}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}};

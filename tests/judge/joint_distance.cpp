@@ -22,6 +22,8 @@ constexpr int most_steps = 60;
 constexpr int most_expansions = 4;
 /// The determinant of a quadratic, relative to its largest, from which its lowest place needs no second thought.
 constexpr double well_conditioned = 1e-3;
+/// Halvings of a segment: then rounding is coarser.
+constexpr int most_halvings = 60;
 /// A few units in the last place of a double: the relative error of a sum of some ten products.
 constexpr double rounding_unit = 2e-15;
 
@@ -259,8 +261,46 @@ double JointDistance::attained(const Triangle& t, double u, double v) const {
     return between(t.q, point_.data());
 }
 
+/// At u on the segment from a to b, the slope of the squared distance in the variable in which `q` is farthest.
+double JointDistance::slope_of_worst(const double* q, const double* a, const double* b, double u) const {
+    double worst = -1, slope = 0;
+    int i = 0;
+    for (const int count : components_) {
+        double square = 0, along = 0;
+        for (const int end = i + count; i < end; ++i) {
+            const double rest = a[i] + u * (b[i] - a[i]) - q[i];
+            square += rest * rest;
+            along += rest * (b[i] - a[i]);
+        }
+        if (square > worst) {
+            worst = square;
+            slope = along;
+        }
+    }
+    return slope;
+}
+
+/// By halving: the largest of convex functions is convex, and the slope of the one that is largest somewhere tells on which
+/// side of it the lowest place lies.
+Nearest JointDistance::to_segment(const double* q, const double* a, const double* b) const {
+    const Triangle segment{q, a, b, b};
+    Nearest nearest{attained(segment, 0, 0), 0, 0};
+    const auto consider = [&](double u) {
+        if (const double distance = attained(segment, u, 0); distance < nearest.distance) nearest = {distance, u, 0};
+    };
+    consider(1);
+    double low = 0, high = 1;
+    for (int i = 0; i < most_halvings; ++i) {
+        const double middle = (low + high) / 2;
+        consider(middle);
+        (slope_of_worst(q, a, b, middle) > 0 ? high : low) = middle;
+    }
+    return nearest;
+}
+
 Nearest JointDistance::to_triangle(const double* q, const double* a, const double* b, const double* c, double enough,
                                    double cutoff) const {
+    if (std::equal(b, b + dimensions_, c)) return to_segment(q, a, b);
     const Triangle triangle{q, a, b, c};
     enough_squared_ = enough * enough;
     cutoff_squared_ = cutoff * cutoff;

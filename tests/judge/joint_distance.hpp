@@ -29,7 +29,8 @@ public:
     double between(const double* p, const double* q, std::size_t* dominant = nullptr) const;
 
     /// The point of the triangle nearest to `q`, within `accuracy`. Any point no farther than `enough` ends the search.
-    /// A triangle that is certainly farther than `cutoff` gives an infinite distance.
+    /// A triangle that is certainly farther than `cutoff` gives an infinite distance. Where b and c are one row the triangle is
+    /// a segment, as a boundary's are.
     Nearest to_triangle(const double* q, const double* a, const double* b, const double* c, double enough = 0,
                         double cutoff = infinite) const;
 
@@ -63,6 +64,8 @@ private:
         std::array<double, 3> edges;
     };
 
+    Nearest to_segment(const double* q, const double* a, const double* b) const;
+    double slope_of_worst(const double* q, const double* a, const double* b, double u) const;
     void expand(const Triangle& triangle) const;
     double largest(Offset place) const;
     Offset lowest(const Quadratic& quadratic) const;
