@@ -1,5 +1,11 @@
-import type { PeerResult } from './best-of-peer.ts';
-import { hair, type Reduced, ratio } from './native.ts';
+import { type Reduced, ratio } from './native.ts';
+
+/** What the table says of a peer's best result. */
+export interface PeerFigure {
+  triangles: number;
+  /** Whether the boundary, of which nothing is asked, is within the bounds, too. */
+  keepsBoundary: boolean;
+}
 
 /** One surface at one pair of bounds. */
 export interface Row {
@@ -11,11 +17,11 @@ export interface Row {
   tracked: Reduced;
   propagated: Reduced;
   /** By name of the peer. */
-  peers: Record<string, PeerResult>;
+  peers: Record<string, PeerFigure>;
 }
 
 /** Explained in docs/peers.md. */
-const boundaryMark = ' †';
+const boundaryMark = '†';
 
 export function bestPeer(row: Row): number {
   return Math.min(...Object.values(row.peers).map(({ triangles }) => triangles));
@@ -76,10 +82,41 @@ function table(rows: Row[]): string {
   );
 }
 
-/** Marked where the peer's boundary, of which nothing is asked, lies beyond the bounds. */
-function peerText(result: PeerResult | undefined): string {
-  if (!result) return '';
-  return `${result.triangles}${result.boundaryRatio > 1 + hair ? boundaryMark : ''}`;
+function peerText({ triangles, keepsBoundary }: PeerFigure): string {
+  return `${triangles}${keepsBoundary ? '' : ` ${boundaryMark}`}`;
+}
+
+/** The peers' figures in tables that were written before: by bounds and surface, then by name of the peer. */
+export function readFigures(text: string): Map<string, Row['peers']> {
+  const figures = new Map<string, Row['peers']>();
+  for (const section of text.split('\n## ').slice(1)) {
+    const bounds = section.slice(0, section.indexOf(' '));
+    const [head, , ...lines] = section
+      .split('\n')
+      .filter((line) => line.startsWith('|'))
+      .map(cells);
+    if (head?.[0] !== 'surface') continue;
+    const peers = head.slice(head.indexOf('propagated') + 1, head.indexOf('ratio'));
+    for (const line of lines) {
+      const figure = (peer: string): PeerFigure => {
+        const cell = line[head.indexOf(peer)];
+        return { triangles: Number.parseInt(cell, 10), keepsBoundary: !cell.endsWith(boundaryMark) };
+      };
+      figures.set(figureKey(line[0], bounds), Object.fromEntries(peers.map((peer) => [peer, figure(peer)])));
+    }
+  }
+  return figures;
+}
+
+export function figureKey(surface: string, bounds: string): string {
+  return `${surface} at ${bounds}`;
+}
+
+function cells(line: string): string[] {
+  return line
+    .split('|')
+    .slice(1, -1)
+    .map((cell) => cell.trim());
 }
 
 function decimals(value: number): string {
