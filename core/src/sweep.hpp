@@ -49,6 +49,7 @@ private:
 
     bool sweep_once(const Sweep& sweep);
     void queue_candidates(double squared_limit);
+    void line_up();
     void queue(std::uint32_t vertex, Queue& next);
     bool take_whole(const Sweep& sweep, const Queue& round);
     bool take_in_patches(const Sweep& sweep, const Queue& round);
