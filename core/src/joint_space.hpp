@@ -5,6 +5,7 @@
 
 #include "hole_products.hpp"
 #include "measured_rows.hpp"
+#include "plane_products.hpp"
 
 namespace meshbound {
 
@@ -13,6 +14,10 @@ namespace meshbound {
 
 /// A squared distance that was summed up from products of this size; 0 where rounding may have made it.
 double without_noise(double squared_distance, double products);
+
+/// The x, y ≥ 0 with x + y ≤ 1 where w − x u − y v is shortest: the weights of b and c, where u and v are the edges from a
+/// corner a to them, and w leads from a to a point.
+glm::dvec2 nearest_in_triangle(const PlaneProducts& products);
 
 /// The triangle of three ring positions of a hole, prepared for looking up many of its inner vertices.
 class JointTriangle {
@@ -28,24 +33,14 @@ public:
     Nearest nearest(const double* along) const;
 
 private:
-    glm::dvec2 nearest_on_edges(double p, double q) const;
-    double squared_distance(const glm::dvec2& place, double p, double q) const;
-
     int a_, b_, c_, size_;
     double aa_ = 0, au_ = 0, av_ = 0; // dot products of a with itself and with the edges u = b - a and v = c - a
-    double uu_ = 0, uv_ = 0, vv_ = 0; // of the edges
+    PlaneProducts edges_;             // uu, uv, vv
     double inverse_determinant_ = 0;  // of the edges' products; 0: the triangle has no area
 };
 
-/// What two segments' nearest places follow from: dot products of the first, u, the second, v, and w, from the first's start
-/// to the second's.
-struct SegmentProducts {
-    double uu = 0, uv = 0, vv = 0, uw = 0, vw = 0;
-};
-
-/// The parameters (s on the first, t on the second) where two segments are nearest to each other, s in [s_low, s_high] and t
-/// in [0, 1].
-glm::dvec2 nearest_parameters(const SegmentProducts& products, double s_low, double s_high);
+/// The x in [low, high] and y in [0, 1] where w − x u − y v is shortest.
+glm::dvec2 nearest_parameters(const PlaneProducts& products, double low, double high);
 
 /// A segment between two rows.
 struct JointSegment {
@@ -53,6 +48,29 @@ struct JointSegment {
     const double* end;
 };
 
-SegmentProducts products_of(const MeasuredRows& rows, const JointSegment& first, const JointSegment& second);
+/// Of two segments: u along the first, v back along the second, and w from the first's start to the second's; so that x and y
+/// are the shares of the two along which they are compared.
+inline auto between(const JointSegment& first, const JointSegment& second) {
+    return [=](int i) -> PlaneLanes {
+        const Lane start = MeasuredRows::lane(first.start, i), other = MeasuredRows::lane(second.start, i);
+        return {MeasuredRows::lane(first.end, i) - start, other - MeasuredRows::lane(second.end, i), other - start};
+    };
+}
+
+/// A triangle of three rows.
+struct JointCorners {
+    const double *a, *b, *c;
+};
+
+/// Of a triangle and a row: u and v along the edges from a, w from a to the row.
+inline auto within(const JointCorners& corners, const double* row) {
+    return [=](int i) -> PlaneLanes {
+        const Lane a = MeasuredRows::lane(corners.a, i);
+        return {MeasuredRows::lane(corners.b, i) - a, MeasuredRows::lane(corners.c, i) - a,
+                MeasuredRows::lane(row, i) - a};
+    };
+}
+
+PlaneProducts products_of(const MeasuredRows& rows, const JointSegment& first, const JointSegment& second);
 
 } // namespace meshbound

@@ -69,7 +69,7 @@ bool Laying::lay_piece(const Piece& piece, WorstError& worst) {
     const double threshold = content_with * content_with * worst.squared_limit();
     for (std::size_t n = first; n < crossings_.size(); ++n) {
         double here = error(piece, crossings_[n]);
-        if (choose_crossings_ && here > threshold) here = choose(piece, first, n, here);
+        if (choose_crossings_ && here > threshold) choose(piece, first, n, worst.squared_limit(), here);
         if (!worst.take(here, difference(piece, crossings_[n]))) return false;
     }
     return true;
@@ -96,9 +96,8 @@ void Laying::cross_straight(const Piece& piece, std::size_t first) {
     }
 }
 
-/// The freedom of Φ: s may be anywhere between its neighbours on the original edge, t anywhere on the diagonal. Returns the
-/// error that is left.
-double Laying::choose(const Piece& piece, std::size_t first, std::size_t n, double error) {
+/// The freedom of Φ: s may be anywhere between its neighbours on the original edge, t anywhere on the diagonal.
+void Laying::choose(const Piece& piece, std::size_t first, std::size_t n, double squared_limit, double& error) {
     NewCrossing& crossing = crossings_[n];
     const double before = n == first ? piece.start.s : crossings_[n - 1].s;
     const double behind = n + 1 == crossings_.size() ? piece.end.s : crossings_[n + 1].s;
@@ -107,14 +106,23 @@ double Laying::choose(const Piece& piece, std::size_t first, std::size_t n, doub
     const JointSegment original{rows_[map_.edges.lower(piece.original)], rows_[map_.edges.upper(piece.original)]};
     const NewTriangle& triangle = tree_->triangle(crossing.triangle);
     const JointSegment diagonal{rows_[hole_->ring[at(triangle.a)]], rows_[hole_->ring[at(triangle.b)]]};
-    const glm::dvec2 nearest = nearest_parameters(products_of(rows_, original, diagonal), low, high);
-    NewCrossing chosen = crossing;
-    chosen.s = nearest.x;
-    chosen.t = nearest.y;
-    const double here = this->error(piece, chosen);
-    if (!(here < error)) return error;
-    crossing = chosen;
-    return here;
+    const auto nearest = [&](const PlaneProducts& products) { return nearest_parameters(products, low, high); };
+    take_better(piece, nearest(products_of(rows_, original, diagonal)), crossing, error);
+    if (error <= tight * tight * squared_limit) return;
+    minimax_.enter(between(original, diagonal));
+    Minimax::Place best{{crossing.s, crossing.t}, rows_.squared_ratio(difference(piece, crossing))};
+    minimax_.improve(best, nearest);
+    take_better(piece, best.at, crossing, error);
+}
+
+void Laying::take_better(const Piece& piece, const glm::dvec2& chosen, NewCrossing& crossing, double& error) const {
+    NewCrossing other = crossing;
+    other.s = chosen.x;
+    other.t = chosen.y;
+    const double here = this->error(piece, other);
+    if (!(here < error)) return;
+    error = here;
+    crossing = other;
 }
 
 } // namespace meshbound

@@ -6,6 +6,7 @@
 #include "hole_tree.hpp"
 #include "joint_space.hpp"
 #include "measured_rows.hpp"
+#include "minimax.hpp"
 #include "settling.hpp"
 #include "tracked_map.hpp"
 #include "worst_error.hpp"
@@ -24,7 +25,7 @@ struct NewCrossing {
 class Laying {
 public:
     Laying(const MeasuredRows& rows, const TrackedMap& map, bool choose_crossings)
-        : rows_(rows), map_(map), choose_crossings_(choose_crossings) {}
+        : rows_(rows), map_(map), choose_crossings_(choose_crossings), minimax_(rows) {}
 
     /// Lays all pieces, their inner vertices being settled; false as soon as an error is above the limit.
     bool lay(const Hole& hole, HoleTree& tree, const Settling& settling, const std::vector<Piece>& pieces,
@@ -39,13 +40,15 @@ private:
     int triangle_at(const PieceEnd& end) const;
     glm::dvec2 place_of(const PieceEnd& end) const;
     void cross_straight(const Piece& piece, std::size_t first);
-    double choose(const Piece& piece, std::size_t first, std::size_t n, double error);
+    void choose(const Piece& piece, std::size_t first, std::size_t n, double squared_limit, double& error);
+    void take_better(const Piece& piece, const glm::dvec2& chosen, NewCrossing& crossing, double& error) const;
     auto difference(const Piece& piece, const NewCrossing& crossing) const;
     double error(const Piece& piece, const NewCrossing& crossing) const;
 
     const MeasuredRows& rows_;
     const TrackedMap& map_;
     bool choose_crossings_;
+    Minimax minimax_;
     const Hole* hole_ = nullptr;
     HoleTree* tree_ = nullptr;
     const Settling* settling_ = nullptr;

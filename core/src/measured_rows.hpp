@@ -78,6 +78,23 @@ public:
         return variable;
     }
 
+    /// Calls `take` with the sum over the components of each bounded variable. Sum::add(at(i)) adds lane i, Sum::total() has
+    /// both of its components together, Sum::half(0) and half(1) one.
+    template <class Sum, class At, class Take>
+    void sum_by_variable(const At& at, const Take& take) const {
+        for (const Vector& vector : vectors_) {
+            Sum sum;
+            for (int i = vector.first; i < vector.end; ++i) sum.add(at(i));
+            take(sum.total());
+        }
+        for (std::size_t n = 0; n < scalar_variables_.size(); n += 2) {
+            Sum sum;
+            sum.add(at(scalars_ + static_cast<int>(n / 2)));
+            take(sum.half(0));
+            if (n + 1 < scalar_variables_.size()) take(sum.half(1));
+        }
+    }
+
     /// A row less the mixture of three others.
     static auto blend_difference(const double* row, const double* p, const double* q, const double* r, double wp,
                                  double wq, double wr) {

@@ -1,5 +1,7 @@
 #include "settling.hpp"
 
+#include <algorithm>
+
 #include "indexing.hpp"
 #include "plane.hpp"
 
@@ -46,12 +48,13 @@ bool Settling::settle_vertex(std::size_t n, Settlement& settlement, WorstError& 
     const InnerVertex& inner = (*inner_)[n];
     const double* row = rows_[inner.vertex];
     double here = error(row, settlement);
-    const double scaled = rows_.multipliers().scale_at(inner.vertex, here);
-    if (choose_places_ && scaled > content_with * content_with * worst.squared_limit()) {
-        if (inner.host == InnerVertex::Host::triangle) choose_place(n, row, settlement, here);
-        else choose_share(row, settlement, here);
-    }
-    return worst.take(rows_.multipliers().scale_at(inner.vertex, here), difference(row, settlement));
+    const auto scaled = [&] { return rows_.multipliers().scale_at(inner.vertex, here); };
+    const bool free = inner.host == InnerVertex::Host::triangle;
+    if (choose_places_ && scaled() > content_with * content_with * worst.squared_limit())
+        free ? choose_place(n, row, settlement, here) : choose_share(row, settlement, here);
+    if (choose_places_ && scaled() > tight * tight * worst.squared_limit())
+        free ? choose_place_tightly(n, row, settlement, here) : choose_share_tightly(row, settlement, here);
+    return worst.take(scaled(), difference(row, settlement));
 }
 
 /// The new triangle in which an inner vertex lies, down the tree from the root; clamped where it lies in none.
@@ -80,20 +83,47 @@ void Settling::choose_place(std::size_t n, const double* row, Settlement& settle
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const JointTriangle::Nearest nearest = joints_[i].nearest(along);
         if (nearest.squared_distance >= rows_.variables() * error) continue;
-        const Settlement chosen{static_cast<int>(i), nearest.weight};
-        const double here = this->error(row, chosen);
-        if (!(here < error)) continue;
-        error = here;
-        settlement = chosen;
+        take_better({static_cast<int>(i), nearest.weight}, row, settlement, error);
     }
 }
 
-/// The same on the closing edge, which is the root's edge from a to b.
-void Settling::choose_share(const double* row, Settlement& settlement, double& error) const {
+/// The same, by the largest ratio.
+void Settling::choose_place_tightly(std::size_t n, const double* row, Settlement& settlement, double& error) {
+    const double* along = products_.vertex(n);
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        if (joints_[i].nearest(along).squared_distance >= rows_.variables() * error) continue;
+        const NewTriangle& triangle = retriangulation_->triangles[i];
+        minimax_.enter(within({rows_[hole_->ring[at(triangle.a)]], rows_[hole_->ring[at(triangle.m)]],
+                               rows_[hole_->ring[at(triangle.b)]]},
+                              row));
+        Minimax::Place best{{0, 0}, error};
+        minimax_.improve(best, [](const PlaneProducts& products) { return nearest_in_triangle(products); });
+        if (!(best.squared_ratio < error)) continue;
+        const glm::dvec3 weight(std::max(0.0, 1 - best.at.x - best.at.y), best.at.x, best.at.y);
+        take_better({static_cast<int>(i), weight}, row, settlement, error);
+    }
+}
+
+/// The closing edge, which is the root's edge from a to b.
+JointSegment Settling::closing() const {
     const NewTriangle& root = tree_->triangle(0);
-    const JointSegment closing{rows_[hole_->ring[at(root.a)]], rows_[hole_->ring[at(root.b)]]};
-    const double share = nearest_parameters(products_of(rows_, {row, row}, closing), 0, 0).y;
-    const Settlement chosen{0, {1 - share, 0, share}};
+    return {rows_[hole_->ring[at(root.a)]], rows_[hole_->ring[at(root.b)]]};
+}
+
+/// The same freedom on the closing edge.
+void Settling::choose_share(const double* row, Settlement& settlement, double& error) {
+    const double share = nearest_parameters(products_of(rows_, {row, row}, closing()), 0, 0).y;
+    take_better({0, {1 - share, 0, share}}, row, settlement, error);
+}
+
+void Settling::choose_share_tightly(const double* row, Settlement& settlement, double& error) {
+    minimax_.enter(between({row, row}, closing()));
+    Minimax::Place best{{0, 0}, error};
+    minimax_.improve(best, [](const PlaneProducts& products) { return nearest_parameters(products, 0, 0); });
+    if (best.squared_ratio < error) take_better({0, {1 - best.at.y, 0, best.at.y}}, row, settlement, error);
+}
+
+void Settling::take_better(const Settlement& chosen, const double* row, Settlement& settlement, double& error) const {
     const double here = this->error(row, chosen);
     if (!(here < error)) return;
     error = here;

@@ -7,6 +7,7 @@
 #include "hole_tree.hpp"
 #include "joint_space.hpp"
 #include "measured_rows.hpp"
+#include "minimax.hpp"
 #include "worst_error.hpp"
 
 namespace meshbound {
@@ -16,7 +17,7 @@ namespace meshbound {
 class Settling {
 public:
     Settling(const MeasuredRows& rows, HoleProducts& products, bool choose_places)
-        : rows_(rows), products_(products), choose_places_(choose_places) {}
+        : rows_(rows), products_(products), choose_places_(choose_places), minimax_(rows) {}
 
     /// At the corners a, m, b of a new triangle.
     struct Settlement {
@@ -37,12 +38,17 @@ private:
     auto difference(const double* row, const Settlement& settlement) const;
     double error(const double* row, const Settlement& settlement) const;
     void choose_place(std::size_t n, const double* row, Settlement& settlement, double& error);
-    void choose_share(const double* row, Settlement& settlement, double& error) const;
+    void choose_place_tightly(std::size_t n, const double* row, Settlement& settlement, double& error);
+    void choose_share(const double* row, Settlement& settlement, double& error);
+    void choose_share_tightly(const double* row, Settlement& settlement, double& error);
+    void take_better(const Settlement& chosen, const double* row, Settlement& settlement, double& error) const;
+    JointSegment closing() const;
     glm::dvec2 place(const Settlement& settlement) const;
 
     const MeasuredRows& rows_;
     HoleProducts& products_;
     bool choose_places_;
+    Minimax minimax_;
     const Hole* hole_ = nullptr;
     const HoleTree* tree_ = nullptr;
     const std::vector<InnerVertex>* inner_ = nullptr;

@@ -55,10 +55,10 @@ double TrackedCost::diagonal(int i, int j) {
     double sum = 0;
     for (int n = 0; n < run.count; ++n) {
         const int tip = (run.first + n) % hole_->size();
-        // The spoke begins at the candidate, which is the origin: u is the tip, w the ring position i.
-        const double uw = products.ring(tip, i);
-        const glm::dvec2 near = nearest_parameters(
-            {products.ring(tip, tip), products.ring(tip, j) - uw, jj - 2 * ij + ii, uw, ij - ii}, 0, 1);
+        // The spoke begins at the candidate, which is the origin: u is the tip, v = i - j, w the ring position i.
+        const double uw = products.ring(tip, i), uv = uw - products.ring(tip, j);
+        const glm::dvec2 near =
+            nearest_parameters({{products.ring(tip, tip), uv, jj - 2 * ij + ii, uw, ii - ij, ii}}, 0, 1);
         sum +=
             rows_.squared_ratio(MeasuredRows::segment_difference(candidate, row(tip), near.x, row(i), row(j), near.y));
     }
