@@ -261,27 +261,24 @@ double JointDistance::attained(const Triangle& t, double u, double v) const {
     return between(t.q, point_.data());
 }
 
-/// At u on the segment from a to b, the slope of the squared distance in the variable in which `q` is farthest.
-double JointDistance::slope_of_worst(const double* q, const double* a, const double* b, double u) const {
-    double worst = -1, slope = 0;
+/// At u on the segment from a to b: the squared distance, and its slope, in the variable in which `q` is farthest.
+JointDistance::Tangent JointDistance::tangent(const double* q, const double* a, const double* b, double u) const {
+    Tangent worst{-1, 0};
     int i = 0;
     for (const int count : components_) {
-        double square = 0, along = 0;
+        Tangent one{0, 0};
         for (const int end = i + count; i < end; ++i) {
             const double rest = a[i] + u * (b[i] - a[i]) - q[i];
-            square += rest * rest;
-            along += rest * (b[i] - a[i]);
+            one.square += rest * rest;
+            one.slope += 2 * rest * (b[i] - a[i]);
         }
-        if (square > worst) {
-            worst = square;
-            slope = along;
-        }
+        if (one.square > worst.square) worst = one;
     }
-    return slope;
+    return worst;
 }
 
-/// By halving: the largest of convex functions is convex, and the slope of the one that is largest somewhere tells on which
-/// side of it the lowest place lies.
+/// By halving: the largest of convex functions is convex, so its tangent tells on which side the lowest place lies, and how low
+/// it can be there.
 Nearest JointDistance::to_segment(const double* q, const double* a, const double* b) const {
     const Triangle segment{q, a, b, b};
     Nearest nearest{attained(segment, 0, 0), 0, 0};
@@ -290,20 +287,22 @@ Nearest JointDistance::to_segment(const double* q, const double* a, const double
     };
     consider(1);
     double low = 0, high = 1;
-    for (int i = 0; i < most_halvings; ++i) {
+    for (int i = 0; i < most_halvings && nearest.distance * nearest.distance > enough_squared_; ++i) {
         const double middle = (low + high) / 2;
+        const Tangent here = tangent(q, a, b, middle);
+        if (here.square - std::abs(here.slope) * (high - middle) > cutoff_squared_) return {infinite, middle, 0};
         consider(middle);
-        (slope_of_worst(q, a, b, middle) > 0 ? high : low) = middle;
+        (here.slope > 0 ? high : low) = middle;
     }
     return nearest;
 }
 
 Nearest JointDistance::to_triangle(const double* q, const double* a, const double* b, const double* c, double enough,
                                    double cutoff) const {
-    if (std::equal(b, b + dimensions_, c)) return to_segment(q, a, b);
-    const Triangle triangle{q, a, b, c};
     enough_squared_ = enough * enough;
     cutoff_squared_ = cutoff * cutoff;
+    if (std::equal(b, b + dimensions_, c)) return to_segment(q, a, b);
+    const Triangle triangle{q, a, b, c};
     base_ = {1.0 / 3, 1.0 / 3};
     Nearest nearest{infinite, base_.u, base_.v};
     for (int i = 0; i < most_expansions; ++i) {

@@ -65,7 +65,10 @@ private:
     };
 
     Nearest to_segment(const double* q, const double* a, const double* b) const;
-    double slope_of_worst(const double* q, const double* a, const double* b, double u) const;
+    struct Tangent {
+        double square, slope;
+    };
+    Tangent tangent(const double* q, const double* a, const double* b, double u) const;
     void expand(const Triangle& triangle) const;
     double largest(Offset place) const;
     Offset lowest(const Quadratic& quadratic) const;
