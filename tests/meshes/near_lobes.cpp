@@ -67,7 +67,7 @@ Mesh self_passing_tube(int around, int across, double gap) {
 
 std::vector<Exhibit> near_lobes() {
     return {
-        {"two sheets", two_sheets(32, 0.01), false},
+        {"two sheets", two_sheets(32, 0.005), false},
         {"spiral", spiral(120, 12, 0.01), false},
         {"thin shell", thin_shell(96, 64, 0.02), true},
         {"nested spheres", nested_spheres(16, 0.02), true},
