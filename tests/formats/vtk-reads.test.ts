@@ -34,6 +34,7 @@ interface VtkAnswer {
   read: Record<string, VtkSurface>;
   original: VtkSurface;
   written: Record<string, VtkSurface>;
+  drawn: Record<string, VtkSurface>;
 }
 
 // Debian's own first: another one on the path seldom has Debian's VTK.
@@ -85,13 +86,13 @@ const written: [name: string, format: Format, mesh: Mesh, options: WriteOptions]
 
 /** One process for all files, since VTK takes its time to start. */
 async function askVtk(command: string, folder: string): Promise<VtkAnswer> {
-  const [files, variants] = ['files', 'variants'].map((name) => join(folder, name));
-  for (const path of [files, variants]) mkdirSync(path);
+  const [files, variants, drawn] = ['files', 'variants', 'drawn'].map((name) => join(folder, name));
+  for (const path of [files, variants, drawn]) mkdirSync(path);
   for (const [name, format, mesh, options] of written) {
     writeFileSync(join(files, name), await writeSurface(format, mesh, options));
   }
   const script = fileURLToPath(new URL('vtk_dump.py', import.meta.url));
-  return JSON.parse(execFileSync(command, [script, files, variants], { encoding: 'utf8' }));
+  return JSON.parse(execFileSync(command, [script, files, variants, drawn], { encoding: 'utf8' }));
 }
 
 /** The type and the bits, as `bits` has them. */
@@ -211,5 +212,36 @@ describe.skipIf(!answer)(title('The project reads what VTK writes'), () => {
     const labels = { units, componentNames };
     expect(mesh.variables.map((variable) => expectedArray(variable, labels))).toEqual(arrays.map(arrayText));
     expect(notes).toEqual([]);
+  });
+});
+
+describe.skipIf(!answer)(title('The project reads what VTK writes for drawing'), () => {
+  const { drawn } = answer ?? ({ drawn: {} } as VtkAnswer);
+  const normals = [0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 0.6, 0.8, 0, 0, -1];
+  const colours = Array.from({ length: 15 }, (_, i) => 17 * i);
+  const places = Array.from({ length: 10 }, (_, i) => i / 10);
+  const expected: Record<string, Record<string, number[]>> = {
+    ply: {
+      color: colours,
+      u: places.filter((_, i) => i % 2 === 0),
+      v: places.filter((_, i) => i % 2 === 1),
+    },
+    stl: {},
+    obj: { normal: normals, uv: places },
+    gltf: {},
+  };
+
+  it.each(Object.keys(drawn))('%s: every triangle and what VTK wrote at its corners', async (name) => {
+    const file = new Uint8Array(readFileSync(join(folder, 'drawn', name)));
+    const { mesh } = await readSurface(name, file);
+    const { points, corners } = drawn[name];
+    const there = new Float32Array(Uint8Array.from(Buffer.from(points.bytes, 'hex')).buffer);
+    // Its own reader loses the signs of zeros.
+    const unsigned = (values: Iterable<number> & ArrayLike<number>) => Float32Array.from(values, (value) => value + 0);
+    expect(cornerPlaces(unsigned(mesh.position), mesh.triangles)).toEqual(cornerPlaces(unsigned(there), corners));
+    for (const [variable, values] of Object.entries(expected[name.split('.')[1]])) {
+      const found = mesh.variables.find((each) => each.name === variable);
+      expect(Array.from(found?.values ?? [], Math.fround)).toEqual(values.map(Math.fround));
+    }
   });
 });

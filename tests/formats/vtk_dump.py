@@ -1,8 +1,8 @@
-"""VTK's readers and writers, for vtk-reads.test.ts: vtk_dump.py FILES FOLDER
+"""VTK's readers and writers, for vtk-reads.test.ts: vtk_dump.py FILES FOLDER DRAWN
 
-Reads every file in FILES, writes a surface to FOLDER in all the ways that VTK has, reads these back as well, and prints
-{"read": {file: surface}, "original": surface, "written": {file: surface}} in JSON. Values are their bytes in
-hexadecimal, little-endian.
+Reads every file in FILES, writes a surface to FOLDER in all the ways that VTK has, and one in colours to DRAWN in the
+formats made for drawing, reads these back as well, and prints {"read": {file: surface}, "original": surface,
+"written": {file: surface}, "drawn": {file: surface}} in JSON. Values are their bytes in hexadecimal, little-endian.
 """
 
 import json
@@ -12,10 +12,10 @@ import sys
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkGLTFWriter, vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
-from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 READERS = {
@@ -25,6 +25,7 @@ READERS = {
     "obj": vtkOBJReader,
     "stl": vtkSTLReader,
     "glb": vtkGLTFReader,
+    "ltf": vtkGLTFReader,
 }
 
 
@@ -131,15 +132,54 @@ def write_variants(folder, surface):
             write_legacy(folder, surface, version, binary)
 
 
+def surface_to_draw():
+    surface = vtkPolyData()
+    surface.ShallowCopy(surface_to_write())
+    attributes = surface.GetPointData()
+    attributes.Initialize()
+    normals = numpy_to_vtk(numpy.float32([(0, 0, 1), (0, 1, 0), (1, 0, 0), (0, 0.6, 0.8), (0, 0, -1)]), deep=True)
+    normals.SetName("Normals")
+    attributes.SetNormals(normals)
+    places = numpy_to_vtk(numpy.arange(10, dtype=numpy.float32).reshape(5, 2) / numpy.float32(10), deep=True)
+    places.SetName("TCoords")
+    attributes.SetTCoords(places)
+    colours = numpy_to_vtk(numpy.arange(15, dtype=numpy.uint8).reshape(5, 3) * 17, deep=True)
+    colours.SetName("RGB")
+    attributes.SetScalars(colours)
+    return surface
+
+
+def write_drawn(folder, surface):
+    for name, kind, order in ("ascii", 1, "Little"), ("little-endian", 2, "Little"), ("big-endian", 2, "Big"):
+        writer = vtkPLYWriter()
+        writer.SetFileType(kind)
+        getattr(writer, f"SetDataByteOrderTo{order}Endian")()
+        writer.SetArrayName("RGB")
+        write(writer, surface, os.path.join(folder, f"{name}.ply"))
+    for name, kind in ("ascii", 1), ("binary", 2):
+        writer = vtkSTLWriter()
+        writer.SetFileType(kind)
+        write(writer, surface, os.path.join(folder, f"{name}.stl"))
+    write(vtkOBJWriter(), surface, os.path.join(folder, "drawn.obj"))
+    scene, building = vtkMultiBlockDataSet(), vtkMultiBlockDataSet()
+    building.SetBlock(0, surface)
+    scene.SetBlock(0, building)
+    writer = vtkGLTFWriter()
+    writer.InlineDataOn()
+    write(writer, scene, os.path.join(folder, "drawn.gltf"))
+
+
 def dump_all(folder):
     return {name: dump(read(os.path.join(folder, name))) for name in sorted(os.listdir(folder))}
 
 
 def main():
-    files, folder = sys.argv[1:]
+    files, folder, drawn = sys.argv[1:]
     surface = surface_to_write()
     write_variants(folder, surface)
-    print(json.dumps({"read": dump_all(files), "original": dump(surface), "written": dump_all(folder)}))
+    write_drawn(drawn, surface_to_draw())
+    surfaces = {"read": dump_all(files), "original": dump(surface)}
+    print(json.dumps({**surfaces, "written": dump_all(folder), "drawn": dump_all(drawn)}))
 
 
 main()
