@@ -103,6 +103,8 @@ export class App extends LitElement {
           position: sticky;
           z-index: 1;
           bottom: 0;
+          /* On a layer of its own: on one with the captions, Chromium takes the canvas below them for hidden. */
+          will-change: transform;
         }
         .bounds {
           border-right: none;

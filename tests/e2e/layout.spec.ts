@@ -1,5 +1,6 @@
 import { expect, type Page, test } from '@playwright/test';
 import { openPage, settled, typePercent } from './open-page.ts';
+import { coverage, pictureOf } from './picture.ts';
 
 /** Where the parts of the page have stood, each time that one of them stood elsewhere; how far it is scrolled aside. */
 async function watchParts(page: Page): Promise<void> {
@@ -32,6 +33,7 @@ for (const [width, height] of [
     await watchParts(page);
     await page.setViewportSize({ width, height });
     await openPage(page);
+    await expect.poll(async () => coverage(await pictureOf(page, 'original'))).toBeGreaterThan(0.05);
     for (const percent of ['5', '40', '0.4']) await typePercent(page, 'Largest bound', percent);
     await page.getByRole('checkbox', { name: 'vx bounded' }).uncheck();
     await settled(page);
@@ -39,5 +41,6 @@ for (const [width, height] of [
     await expect(page.locator('.sentence')).toContainText('iron');
     await settled(page);
     expect(await page.evaluate(() => (window as unknown as { seen: string[] }).seen)).toHaveLength(1);
+    expect(coverage(await pictureOf(page, 'original'))).toBeGreaterThan(0.05);
   });
 }
