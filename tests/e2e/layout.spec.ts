@@ -41,6 +41,7 @@ for (const [width, height] of [
     await expect(page.locator('.sentence')).toContainText('iron');
     await settled(page);
     expect(await page.evaluate(() => (window as unknown as { seen: string[] }).seen)).toHaveLength(1);
-    expect(coverage(await pictureOf(page, 'original'))).toBeGreaterThan(0.05);
+    await page.evaluate(() => scrollTo(0, 0));
+    await expect.poll(async () => coverage(await pictureOf(page, 'original'))).toBeGreaterThan(0.05);
   });
 }

@@ -63,6 +63,11 @@ export class BoundRow extends LitElement {
         background: none;
         border: none;
       }
+      @media (any-pointer: coarse), (max-width: 800px) {
+        .error {
+          min-height: 24px;
+        }
+      }
       meshbound-bound-slider {
         margin: 3px 0;
       }
