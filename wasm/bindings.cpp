@@ -116,6 +116,7 @@ val inspect_mesh(const val& mesh) {
         if (const Status status = resolve_bounds(input, {{"*", free_of_bound()}}, bounds); !status.ok()) {
             return failure(status);
         }
+        find_turned(input, oddities);
         return success(inspection_to(input, oddities, bounds));
     });
 }

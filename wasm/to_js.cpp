@@ -147,9 +147,15 @@ val before_after(std::size_t before, std::size_t after) {
 }
 
 val oddities_to(const Oddities& oddities) {
-    return object(field("repeatedVertexTriangles", number(oddities.repeated_vertex_triangles)),
-                  field("zeroAreaTriangles", number(oddities.zero_area_triangles)),
-                  field("unusedVertices", number(oddities.unused_vertices)));
+    val result = object(field("repeatedVertexTriangles", number(oddities.repeated_vertex_triangles)),
+                        field("zeroAreaTriangles", number(oddities.zero_area_triangles)),
+                        field("unusedVertices", number(oddities.unused_vertices)),
+                        field("turnedTriangles", number(oddities.turned_triangles)),
+                        field("unorientableParts", number(oddities.unorientable_parts)));
+    if (oddities.unorientable_triangle) {
+        result.set("unorientableTriangle", number(*oddities.unorientable_triangle));
+    }
+    return result;
 }
 
 val refusals_to(const Refusals& refused) {
@@ -164,6 +170,8 @@ val report_to(const Report& report, double seconds) {
                   field("vertices", before_after(report.vertices_before, report.vertices_after)),
                   field("variables", list_to(report.variables, variable_report_to)),
                   field("refused", refusals_to(report.refused)), field("oddities", oddities_to(report.oddities)),
+                  field("dropped", object(field("parts", number(report.dropped.parts)),
+                                          field("triangles", number(report.dropped.triangles)))),
                   field("nonManifoldVertices", number(report.non_manifold_vertices)),
                   field("cells", number(report.cells)), field("foldedCells", number(report.folded_cells)),
                   field("stopped", stopped_name(report.stopped)), field("seconds", seconds));

@@ -40,6 +40,11 @@ export interface ReduceOptions {
   /** What must stay as it is: every triangle whose own box meets one of these boxes, with its vertices. */
   lockedBoxes?: Box[];
   /**
+   * Leave out, and count, parts of the surface whose box has a diagonal within the bound of position; the promise is then
+   * about the rest. The largest part stays, as do parts with locked vertices. Default: false.
+   */
+  dropSmallParts?: boolean;
+  /**
    * The name of a variable with one component, above zero everywhere, which multiplies every bound: at a point where the
    * original has the multiplier m, no error exceeds m times the bound. It is carried along like any other variable.
    */
@@ -85,7 +90,18 @@ export interface Report {
   /** Position first, then the mesh's variables in their order. */
   variables: VariableReport[];
   refused: { fixed: number; topology: number; fold: number };
-  oddities: { repeatedVertexTriangles: number; zeroAreaTriangles: number; unusedVertices: number };
+  oddities: {
+    repeatedVertexTriangles: number;
+    zeroAreaTriangles: number;
+    unusedVertices: number;
+    /** Triangles that face the other side than most around them: turned round. */
+    turnedTriangles: number;
+    /** Parts without two sides (a Möbius band), left as they are, and the first triangle of the first of them. */
+    unorientableParts: number;
+    unorientableTriangle?: number;
+  };
+  /** Parts of the surface that were left out, see `ReduceOptions.dropSmallParts`. */
+  dropped: { parts: number; triangles: number };
   nonManifoldVertices: number;
   /** Tracked errors only: into how many cells the map cuts the original, and how many of them it turns over. */
   cells: number;

@@ -8,6 +8,7 @@
 #include "locks.hpp"
 #include "map_output.hpp"
 #include "meshbound/segmentation.hpp"
+#include "orientation.hpp"
 #include "propagation.hpp"
 #include "reduction_output.hpp"
 #include "sweep.hpp"
@@ -46,20 +47,48 @@ std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& 
 
 ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities, Ticker& ticker)
     : mesh_(mesh), options_(options), oddities_(oddities), ticker_(ticker),
-      surface_(mesh.triangles, vertex_count(mesh)), non_manifold_vertices_(surface_.count(VertexKind::fixed)) {
-    if (options.refuse_piercing) piercing_ = std::make_unique<Piercing>(mesh, surface_);
+      surface_(mesh.triangles, vertex_count(mesh)) {
+    if (surface_.discordant_edges() > 0) orient_surface();
+    non_manifold_vertices_ = surface_.count(VertexKind::fixed);
+}
+
+void ReductionRun::orient_surface() {
+    Orientation orientation = orient(mesh_.triangles, vertex_count(mesh_));
+    note_turned(orientation, oddities_);
+    if (orientation.turned == 0) return;
+    oriented_ = std::move(orientation.triangles);
+    surface_ = Surface(oriented_, vertex_count(mesh_));
+}
+
+/// Before anything is removed; later levels keep what the first one kept.
+void ReductionRun::drop_small_parts(double bound) {
+    if (!options_.drop_small_parts || !reached_.empty()) return;
+    const Multipliers multipliers(find_focus(mesh_, options_));
+    const std::vector<std::uint32_t> kept = locked_vertices(mesh_, options_);
+    dropped_ = meshbound::drop_small_parts(mesh_, bound, multipliers, kept, surface_);
 }
 
 Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span,
                                       LevelLink* link) {
+    drop_small_parts(bounds[0].absolute);
+    if (options_.refuse_piercing && !piercing_) piercing_ = std::make_unique<Piercing>(mesh_, surface_);
     Reduction reduction;
     reduction.report = begin_report(mesh_, bounds, oddities_);
     reduction.report.non_manifold_vertices = non_manifold_vertices_;
+    reduction.report.dropped = dropped_;
     if (ticker_.ask()) sweep_and_report(bounds, reduction, span, link);
     if (ticker_.cancelled()) report_cancelled(reduction);
     reduction.report.triangles_after = reduction.mesh.triangles.size();
     reduction.report.vertices_after = reduction.vertices.size();
     return reduction;
+}
+
+/// What the surface was made from, without its variables.
+Mesh ReductionRun::oriented_shape() const {
+    Mesh shape;
+    shape.position = mesh_.position;
+    shape.triangles = oriented_;
+    return shape;
 }
 
 /// Errors are known in bounds, so other bounds mean other numbers.
@@ -117,7 +146,8 @@ void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking*
     if (linked) linked->extract(renamed.vertex, renamed.triangle, reduction.vertices, *link, ticker_);
     if (!options_.count_folds || ticker_.cancelled()) return;
     Segmentation segmentation;
-    segment({mesh_, reduction}, segmentation, [this](double) { return ticker_.ask(); });
+    const Mesh oriented = oriented_.empty() ? Mesh{} : oriented_shape();
+    segment({oriented_.empty() ? mesh_ : oriented, reduction}, segmentation, [this](double) { return ticker_.ask(); });
     reduction.report.cells = segmentation.cells.size();
     reduction.report.folded_cells = segmentation.folded_cells;
 }

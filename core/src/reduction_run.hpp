@@ -9,6 +9,7 @@
 #include "meshbound/reduce.hpp"
 #include "piercing.hpp"
 #include "rows.hpp"
+#include "small_parts.hpp"
 #include "surface.hpp"
 #include "ticker.hpp"
 
@@ -33,6 +34,9 @@ public:
                             LevelLink* link = nullptr);
 
 private:
+    void orient_surface();
+    void drop_small_parts(double bound);
+    Mesh oriented_shape() const;
     void set_bounds(const std::vector<ResolvedBound>& bounds);
     std::unique_ptr<LinkedTracking> link_from_here(std::vector<ResolvedBound> bounds) const;
     std::vector<double> limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const;
@@ -46,6 +50,8 @@ private:
     Oddities oddities_;
     Ticker& ticker_;
     Surface surface_;
+    std::vector<glm::uvec3> oriented_; // the input's triangles where some were turned; empty else
+    DroppedParts dropped_;
     std::size_t non_manifold_vertices_ = 0;
     std::unique_ptr<Rows> rows_;
     std::unique_ptr<Accounting> accounting_;

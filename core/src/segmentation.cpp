@@ -53,6 +53,7 @@ bool cut_into_cells(const MappedSurfaces& surfaces, Segmentation& segmentation, 
     Outline outline;
     for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle) {
         if (repeats_vertex(triangles[triangle])) continue;
+        if (surfaces.map.places[triangles[triangle].x].triangle == nowhere) continue; // of a part that was left out
         outlines.trace(triangle, outline);
         cutter.cut(triangle, outline, segmentation);
         if (!ticker.tick(1, 0.5 * triangle / static_cast<double>(triangles.size()))) return false;

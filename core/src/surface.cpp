@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "half_edge_runs.hpp"
 #include "hole.hpp"
 
 namespace meshbound {
@@ -25,35 +26,18 @@ Surface::Surface(const std::vector<glm::uvec3>& triangles, std::size_t vertices)
     remember_fixed_edges();
 }
 
-/// Sorts the half-edges by their lower vertex (counting sort), then within one vertex by the other end, and pairs them.
 void Surface::pair_half_edges() {
-    const auto half_edges = static_cast<std::uint32_t>(origin_.size());
-    const auto lower = [&](std::uint32_t h) { return std::min(origin(h), target(h)); };
-    const auto upper = [&](std::uint32_t h) { return std::max(origin(h), target(h)); };
-    std::vector<std::uint32_t> start(kind_.size() + 1, 0), sorted(half_edges);
-    for (std::uint32_t h = 0; h < half_edges; ++h) ++start[lower(h) + 1];
-    for (std::size_t v = 0; v < kind_.size(); ++v) start[v + 1] += start[v];
-    std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-    for (std::uint32_t h = 0; h < half_edges; ++h) sorted[fill[lower(h)]++] = h;
-
-    twin_.assign(half_edges, no_index);
-    edge_.assign(half_edges, no_index);
-    for (std::size_t v = 0; v < kind_.size(); ++v) {
-        const auto first = sorted.begin() + start[v], last = sorted.begin() + start[v + 1];
-        std::sort(first, last,
-                  [&](std::uint32_t g, std::uint32_t h) { return upper(g) != upper(h) ? upper(g) < upper(h) : g < h; });
-        for (auto run = first; run != last;) {
-            auto end = run + 1;
-            while (end != last && upper(*end) == upper(*run)) ++end;
-            if (end - run == 2 && origin(run[0]) != origin(run[1])) {
-                pair(run[0], run[1]);
-            } else {
-                if (end - run > 1) kind_[origin(*run)] = kind_[target(*run)] = VertexKind::fixed;
-                for (auto it = run; it != end; ++it) edge_[*it] = static_cast<std::uint32_t>(edge_count_++);
-            }
-            run = end;
+    twin_.assign(origin_.size(), no_index);
+    edge_.assign(origin_.size(), no_index);
+    HalfEdgeRuns(origin_, kind_.size()).for_each_edge([&](const std::uint32_t* run, std::size_t count) {
+        if (count == 2 && origin(run[0]) != origin(run[1])) {
+            pair(run[0], run[1]);
+            return;
         }
-    }
+        if (count == 2) ++discordant_edges_;
+        if (count > 1) kind_[origin(*run)] = kind_[target(*run)] = VertexKind::fixed;
+        for (std::size_t i = 0; i < count; ++i) edge_[run[i]] = static_cast<std::uint32_t>(edge_count_++);
+    });
 }
 
 void Surface::pair(std::uint32_t h, std::uint32_t g) {
@@ -100,6 +84,21 @@ bool Surface::fixed_edge_exists(std::uint32_t a, std::uint32_t b) const {
 
 std::size_t Surface::count(VertexKind kind) const {
     return static_cast<std::size_t>(std::count(kind_.begin(), kind_.end(), kind));
+}
+
+std::size_t Surface::drop(const std::vector<char>& vertices) {
+    std::size_t triangles = 0;
+    for (std::size_t slot = 0; slot < slot_count(); ++slot) {
+        if (!vertices[origin_[3 * slot]]) continue;
+        origin_[3 * slot] = no_index;
+        ++triangles;
+    }
+    for (std::size_t vertex = 0; vertex < vertices.size(); ++vertex) {
+        if (!vertices[vertex]) continue;
+        kind_[vertex] = VertexKind::absent;
+        outgoing_[vertex] = no_index;
+    }
+    return triangles;
 }
 
 void Surface::attach(std::uint32_t h, const Rim& rim) {

@@ -58,6 +58,8 @@ public:
     std::size_t slot_count() const { return origin_.size() / 3; }
     bool alive(std::uint32_t triangle) const { return origin_[3 * std::size_t(triangle)] != no_index; }
     std::size_t edge_count() const { return edge_count_; }
+    /// Edges that two triangles run along in the same direction, at the start.
+    std::size_t discordant_edges() const { return discordant_edges_; }
     std::size_t count(VertexKind kind) const;
 
     /// Whether two fixed vertices are joined by an edge (the fans of fixed vertices cannot be walked).
@@ -67,6 +69,10 @@ public:
     /// the diagonals (and the closing edge) take edges of the vanished spokes. The hole is brought up to date: `new_slots`
     /// and the edges of the retriangulation are filled.
     void retriangulate(const Hole& hole, Retriangulation& retriangulation);
+
+    /// Takes away the marked vertices with their triangles; no triangle has both marked and unmarked ones. Returns how many
+    /// triangles went.
+    std::size_t drop(const std::vector<char>& vertices);
 
 private:
     /// What lies behind a rim of a hole.
@@ -88,7 +94,7 @@ private:
     std::vector<std::uint32_t> outgoing_;             // by vertex
     std::vector<VertexKind> kind_;                    // by vertex
     std::unordered_set<std::uint64_t> fixed_edges_;   // between fixed vertices; such edges never vanish
-    std::size_t edge_count_ = 0;
+    std::size_t edge_count_ = 0, discordant_edges_ = 0;
 };
 
 } // namespace meshbound

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "orientation.hpp"
+
 namespace meshbound {
 namespace {
 
@@ -132,6 +134,10 @@ Status validate(const Mesh& mesh, Oddities* oddities) {
     if (status.ok()) status = check_names(mesh);
     if (status.ok() && oddities) *oddities = find_oddities(mesh);
     return status;
+}
+
+void find_turned(const Mesh& mesh, Oddities& oddities) {
+    note_turned(orient(mesh.triangles, vertex_count(mesh)), oddities);
 }
 
 } // namespace meshbound

@@ -291,3 +291,27 @@ test('a focus that the file has not is a fault', async () => {
   expect(outcome.status).not.toBe(0);
   expect(outcome.stderr).toContain('there is no variable “nearness” to multiply the bounds');
 });
+
+test('parts smaller than the bound go when asked for, and triangles that face the wrong side are turned; both are said', async () => {
+  const { position, triangles, variables } = original;
+  const points = position.length / 3;
+  const crumb = Array.from({ length: 9 }, (_, i) => 2 + 0.0001 * (i % 4));
+  const more = ({ components, values, ...rest }: Mesh['variables'][number]) => {
+    const longer = values.constructor as Float32ArrayConstructor;
+    return { ...rest, components, values: longer.from([...values, ...values.slice(0, 3 * components)]) };
+  };
+  const turned = triangles.slice();
+  [turned[31], turned[32]] = [turned[32], turned[31]];
+  await folder.save('crumb.vtp', {
+    position: Float32Array.from([...position, ...crumb]),
+    triangles: Uint32Array.from([...turned, points, points + 1, points + 2]),
+    variables: variables.map(more),
+  });
+  const run = (...args: string[]) => folder.run('reduce', 'crumb.vtp', '-o', 'out.vtp', ...all, ...args);
+  const kept = await run();
+  expect(kept.stderr).toContain('1 triangle faces the other side than most around them: turned round.');
+  expect(kept.stderr).not.toContain('left out');
+  expect((await run('--drop-small')).stderr).toContain(
+    '1 part smaller than the bound of position, 1 triangle: left out',
+  );
+});

@@ -15,7 +15,13 @@ test('tells what the variables span, without reducing', async () => {
   const inspection = await inspect(square);
   expect(inspection.triangles).toBe(2);
   expect(inspection.vertices).toBe(5);
-  expect(inspection.oddities).toEqual({ repeatedVertexTriangles: 0, zeroAreaTriangles: 0, unusedVertices: 1 });
+  expect(inspection.oddities).toEqual({
+    repeatedVertexTriangles: 0,
+    zeroAreaTriangles: 0,
+    unusedVertices: 1,
+    turnedTriangles: 0,
+    unorientableParts: 0,
+  });
   expect(inspection.variables.slice(1)).toEqual([
     { name: 'density', components: 1, extent: 0, magnitude: 2, constant: true },
     { name: 'velocity', components: 2, extent: 5, magnitude: 4, constant: false },

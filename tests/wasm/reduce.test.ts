@@ -153,6 +153,12 @@ describe('reduce', () => {
     const mesh = bumpyPlate(4);
     mesh.triangles = Uint32Array.of(...mesh.triangles, 7, 7, 8);
     const { report } = await reduce(mesh, { bounds });
-    expect(report.oddities).toEqual({ repeatedVertexTriangles: 1, zeroAreaTriangles: 0, unusedVertices: 0 });
+    expect(report.oddities).toEqual({
+      repeatedVertexTriangles: 1,
+      zeroAreaTriangles: 0,
+      unusedVertices: 0,
+      turnedTriangles: 0,
+      unorientableParts: 0,
+    });
   });
 });

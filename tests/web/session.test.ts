@@ -23,7 +23,13 @@ const inspect: Services['inspect'] = async ({ variables }) => ({
     magnitude: 1,
     constant: false,
   })),
-  oddities: { repeatedVertexTriangles: 0, zeroAreaTriangles: 0, unusedVertices: 2 },
+  oddities: {
+    repeatedVertexTriangles: 0,
+    zeroAreaTriangles: 0,
+    unusedVertices: 2,
+    turnedTriangles: 0,
+    unorientableParts: 0,
+  },
 });
 
 /** A reduction that ends when the test says so. */

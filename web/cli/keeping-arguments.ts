@@ -7,6 +7,8 @@ import { Fault, UsageFault } from './fault.ts';
 /** What a command line wants to stay, and where it wants finer bounds. */
 export interface Keeping {
   focus: string | undefined;
+  /** Whether parts smaller than the bound of position go. */
+  dropSmallParts: boolean;
   points: Uint32Array;
   lockedBoxes: Box[];
 }
@@ -47,9 +49,9 @@ export function requireFocus(
 }
 
 /** What the core is to keep: what the surface itself needs, and what the command line adds. */
-export function settingsOf({ focus, points, lockedBoxes }: Keeping, locked: Uint32Array = new Uint32Array()) {
+export function settingsOf({ points, ...settings }: Keeping, locked: Uint32Array = new Uint32Array()) {
   const all = new Uint32Array(locked.length + points.length);
   all.set(locked);
   all.set(points, locked.length);
-  return { focus, lockedBoxes, locked: all };
+  return { ...settings, locked: all };
 }

@@ -25,6 +25,7 @@ Options:
   --cost WHAT             with propagated errors, what the choice among retriangulations makes small:
                           introduced (default): the error of this removal; max: the error so far
   --focus NAME            a variable of one component, above zero, that multiplies every bound: finer where it is small
+  --drop-small            leave out parts that are smaller than the bound of position; says how many
   --lock-points LIST      points that stay, counted from 0: 3,17,20-40
   --lock-box X,Y,Z,X,Y,Z  lowest and highest corner of a box: every triangle that meets it stays as it is; as often as
                           needed (--lock-box=-1,… where it begins with a minus)
@@ -53,6 +54,7 @@ const signature = {
     errors: { type: 'string', default: 'tracked' },
     cost: { type: 'string', default: 'introduced' },
     focus: { type: 'string' },
+    'drop-small': { type: 'boolean', default: false },
     'lock-points': { type: 'string', multiple: true, default: [] as string[] },
     'lock-box': { type: 'string', multiple: true, default: [] as string[] },
     map: { type: 'string' },
@@ -101,6 +103,7 @@ export function parseRequest(args: string[]): Request {
     outputs: levels ? levelPaths(values.output, levels.length) : [values.output],
     keeping: {
       focus: values.focus,
+      dropSmallParts: values['drop-small'],
       points: Uint32Array.from(values['lock-points'].flatMap(parsePoints)),
       lockedBoxes: values['lock-box'].map(parseBox),
     },

@@ -5,6 +5,9 @@ export function oddityNotes({
   repeatedVertexTriangles,
   zeroAreaTriangles,
   unusedVertices,
+  turnedTriangles,
+  unorientableParts,
+  unorientableTriangle,
 }: Report['oddities']): string[] {
   const sentences: [number, string][] = [
     [repeatedVertexTriangles, 'with a repeated vertex: not a surface, left out of the result.'],
@@ -15,9 +18,24 @@ export function oddityNotes({
     const vertices = unusedVertices === 1 ? '1 vertex belongs' : `${unusedVertices} vertices belong`;
     notes.push(`${vertices} to no triangle: left out of the result.`);
   }
+  if (turnedTriangles > 0) {
+    const facing = turnedTriangles === 1 ? 'faces' : 'face';
+    notes.push(`${triangles(turnedTriangles)} ${facing} the other side than most around them: turned round.`);
+  }
+  if (unorientableParts > 0) {
+    const parts = unorientableParts === 1 ? '1 part has' : `${unorientableParts} parts have`;
+    notes.push(`${parts} no two sides (triangle ${unorientableTriangle}, counted from 0): left as the file has it.`);
+  }
   return notes;
 }
 
 function triangles(count: number): string {
   return count === 1 ? '1 triangle' : `${count} triangles`;
+}
+
+/** A sentence for what was left out of a result because it is small; none where nothing was. */
+export function droppedNotes({ parts, triangles: count }: Report['dropped']): string[] {
+  if (parts === 0) return [];
+  const left = parts === 1 ? '1 part' : `${parts} parts`;
+  return [`${left} smaller than the bound of position, ${triangles(count)}: left out; nothing is promised of them.`];
 }

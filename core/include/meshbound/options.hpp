@@ -57,6 +57,12 @@ struct Options {
     /// What must stay as it is: every triangle whose own box meets one of these boxes, with its vertices.
     std::vector<Box> locked_boxes;
 
+    /// Whether parts of the surface whose box has a diagonal within the bound of position are left out and counted
+    /// (Report::dropped); the promise is then about the rest. A part hangs together over vertices, or over vertices in one
+    /// place. The largest part stays, as do parts with locked vertices. Where the bound is multiplied, its least value in the
+    /// part counts; of levels those of the first one.
+    bool drop_small_parts = false;
+
     /// The name of a variable with one component, above zero everywhere, which multiplies every bound; empty: none does. So
     /// bounds vary over the surface: at a point p where the original has the multiplier m, no error exceeds m times the
     /// bound. The variable itself is carried along like any other.

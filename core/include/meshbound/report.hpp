@@ -28,6 +28,11 @@ struct Refusals {
         0; ///< what stays within the bounds would pierce another lobe (with Options::refuse_piercing)
 };
 
+/// Parts of the surface that were left out because they are smaller than the bound of position (Options::drop_small_parts).
+struct DroppedParts {
+    std::size_t parts = 0, triangles = 0;
+};
+
 enum class Stopped {
     finished,  ///< no single vertex can go any more
     cancelled, ///< the caller cancelled; the mesh is valid and within the bounds, but larger than need be
@@ -39,6 +44,7 @@ struct Report {
     std::vector<VariableReport> variables; ///< position first, then the mesh's variables in their order
     Refusals refused;
     Oddities oddities;
+    DroppedParts dropped;
     std::size_t non_manifold_vertices = 0; ///< fixed because of non-manifold edges or bow-ties
     /// Tracked errors only: into how many cells the map cuts the original (figure 5), and how many of them it turns over
     /// (see Segmentation). Folds of the map are no folds of the surface; they matter to morphing.

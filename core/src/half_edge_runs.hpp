@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace meshbound {
+
+/// The half-edges of a mesh, brought together by the two vertices that they join. Half-edge 3t + i runs from corner i of
+/// triangle t to the next one.
+class HalfEdgeRuns {
+public:
+    /// `origin`: of each half-edge the vertex where it begins.
+    HalfEdgeRuns(const std::vector<std::uint32_t>& origin, std::size_t vertices)
+        : origin_(origin), start_(vertices + 1, 0), sorted_(origin.size()) {
+        const auto half_edges = static_cast<std::uint32_t>(origin.size());
+        for (std::uint32_t h = 0; h < half_edges; ++h) ++start_[lower(h) + std::size_t{1}];
+        for (std::size_t v = 0; v < vertices; ++v) start_[v + 1] += start_[v];
+        std::vector<std::uint32_t> fill(start_.begin(), start_.end() - 1);
+        for (std::uint32_t h = 0; h < half_edges; ++h) sorted_[fill[lower(h)]++] = h;
+    }
+
+    /// Calls `visit(first, count)` for each edge with its half-edges, rising, in the order of the edges' lower and upper
+    /// vertices. Once only: what is sorted on the way is sorted for good.
+    template <class Visit>
+    void for_each_edge(const Visit& visit) {
+        for (std::size_t v = 0; v + 1 < start_.size(); ++v) {
+            const auto first = sorted_.begin() + start_[v], last = sorted_.begin() + start_[v + 1];
+            std::sort(first, last, [&](std::uint32_t g, std::uint32_t h) {
+                return upper(g) != upper(h) ? upper(g) < upper(h) : g < h;
+            });
+            for (auto run = first; run != last;) {
+                auto end = run + 1;
+                while (end != last && upper(*end) == upper(*run)) ++end;
+                visit(&*run, static_cast<std::size_t>(end - run));
+                run = end;
+            }
+        }
+    }
+
+private:
+    std::uint32_t target(std::uint32_t h) const { return origin_[h % 3 == 2 ? h - 2 : h + 1]; }
+    std::uint32_t lower(std::uint32_t h) const { return std::min(origin_[h], target(h)); }
+    std::uint32_t upper(std::uint32_t h) const { return std::max(origin_[h], target(h)); }
+
+    const std::vector<std::uint32_t>& origin_;
+    std::vector<std::uint32_t> start_, sorted_; // by lower vertex
+};
+
+} // namespace meshbound

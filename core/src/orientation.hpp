@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "meshbound/validate.hpp"
+
+namespace meshbound {
+
+/// Triangles turned so that neighbours agree which side is the front one, as far as they can.
+struct Orientation {
+    std::vector<glm::uvec3> triangles;  ///< all of them, in their order; a turned one has its last two corners swapped
+    std::size_t turned = 0;             ///< how many were turned
+    std::size_t unorientable_parts = 0; ///< parts that have no consistent orientation (a Möbius band): left as they are
+    std::size_t unorientable_triangle{}; ///< of the first of them its first triangle
+};
+
+/// Orients a mesh part by part; a part is what hangs together over edges of just two triangles. Within a part those
+/// triangles are turned that are fewer.
+Orientation orient(const std::vector<glm::uvec3>& triangles, std::size_t vertices);
+
+/// What there is to tell of it.
+void note_turned(const Orientation& orientation, Oddities& oddities);
+
+} // namespace meshbound
