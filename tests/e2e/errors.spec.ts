@@ -1,5 +1,5 @@
 import { expect, type Page, test } from '@playwright/test';
-import { chooseFile, counts, look, sentence, settled, sharePage, typePercent } from './open-page.ts';
+import { chooseFile, counts, look, openPage, sentence, settled, sharePage, typePercent } from './open-page.ts';
 import { coverage, hasBrokenBound, pictureOf, placesIn, type ShownPlace, shareFromMap } from './picture.ts';
 import { hillAndHollow } from './surfaces.ts';
 
@@ -174,4 +174,51 @@ test('errors of a vector have no sign', async () => {
   await expect(page().getByLabel('Show').locator('option', { hasText: 'signed' })).toBeDisabled();
   await expect(page().locator('meshbound-legend .title')).toHaveText(Array(2).fill('error / bound: wind'));
   await shownIn(page(), 'share');
+});
+
+test('shows how the errors of each variable are spread over the area, up to the bound and no further', async () => {
+  await openPage(page());
+  await page().getByText('Errors by area').click();
+  const drawing = page().getByRole('img', { name: /^pressure: half of the area/ });
+  await expect(drawing).toBeVisible();
+  const bars = await drawing
+    .locator('rect')
+    .evaluateAll((each) => each.map((bar) => Number(bar.getAttribute('height'))));
+  // Counted here anew: of each corner of the original a third of its triangle.
+  const shares = await page().evaluate((parts) => {
+    const viewer = document.querySelector('meshbound-app')?.shadowRoot?.querySelector('meshbound-viewer');
+    const mesh = viewer?.session.state.surface?.mesh;
+    const index = viewer?.report?.variables.findIndex(({ name }) => name === 'pressure') ?? -1;
+    const bound = viewer?.report?.variables[index].bound ?? Number.NaN;
+    const counted: number[] = Array(parts).fill(0);
+    if (!mesh) return counted;
+    for (let first = 0; first < mesh.triangles.length; first += 3) {
+      const corners = [...mesh.triangles.subarray(first, first + 3)];
+      const [a, b, c] = corners.map((vertex) => [...mesh.position.subarray(3 * vertex, 3 * vertex + 3)]);
+      const [u, v] = [b, c].map((to) => to.map((coordinate, axis) => coordinate - a[axis]));
+      const dot = (one: number[], other: number[]) => one.reduce((sum, each, axis) => sum + each * other[axis], 0);
+      const area = Math.sqrt(Math.max(0, dot(u, u) * dot(v, v) - dot(u, v) ** 2)) / 2;
+      for (const vertex of corners) {
+        const error = viewer?.reduction?.vertexErrors?.[index].error[vertex] ?? Number.NaN;
+        counted[Math.min(parts - 1, Math.floor((parts * error) / bound))] += area;
+      }
+    }
+    return counted;
+  }, bars.length);
+  expect(bars).toHaveLength(20);
+  const [highest, most] = [Math.max(...bars), Math.max(...shares)];
+  bars.forEach((bar, index) => {
+    expect(bar / highest).toBeCloseTo(shares[index] / most, 3);
+  });
+  const { largest, width } = await drawing.evaluate((picture: Element) => ({
+    largest: Number(picture.querySelector('.largest')?.getAttribute('x1')),
+    width: (picture as SVGSVGElement).viewBox.baseVal.width,
+  }));
+  expect(largest / width).toBeGreaterThan(0.5);
+  expect(largest / width).toBeLessThanOrEqual(1);
+
+  await page().getByRole('checkbox', { name: 'pressure bounded' }).uncheck();
+  await expect(page().locator('meshbound-error-spread')).toContainText(/pressure\s*free/);
+  await page().getByRole('checkbox', { name: 'pressure bounded' }).check();
+  await expect(drawing).toBeVisible();
 });

@@ -24,6 +24,7 @@ test('axe finds nothing wrong, light and dark, with values, errors, the method, 
   await both();
   await page.getByLabel('Show').selectOption({ label: 'signed error' });
   await page.getByText(/^Method/).click();
+  await page.getByText('Errors by area').click();
   await dropFile(page, 'square.ply', squareWithNaN());
   await expect(page.getByRole('alert')).toBeVisible();
   const field = page.getByLabel('Bound of position in percent');

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { reduce } from '../../wasm/index.ts';
 import type { MappedReduction, VertexErrors } from '../../wasm/types.ts';
-import { errorHistogram, histogramBins } from '../../web/probe/error-histogram.ts';
+import { errorHistograms, histogramBins, quantile } from '../../web/probe/error-histogram.ts';
 import { probePair } from '../../web/probe/probe.ts';
 import { worstPlace } from '../../web/probe/worst-place.ts';
 import { bumpyPlate } from '../wasm/bumpy-plate.ts';
@@ -24,7 +24,7 @@ test('at the worst place of each variable its error is the one reported', async 
 
 test('the histogram tells what share of the area has which share of the bound', async () => {
   const tracked = await reduce(mesh, { bounds });
-  const all = errorHistogram(mesh, tracked, 1) as Float64Array;
+  const all = errorHistograms(mesh, tracked)[1] as Float64Array;
   expect(all).toHaveLength(histogramBins);
   expect(all.reduce((sum, next) => sum + next)).toBeCloseTo(1, 12);
   // Counted by hand: vertices without an error, by the area around them.
@@ -35,11 +35,11 @@ test('the histogram tells what share of the area has which share of the bound', 
   );
 
   const propagated = await reduce(mesh, { bounds, errors: 'propagated' });
-  const limits = errorHistogram(mesh, propagated, 1) as Float64Array;
+  const limits = errorHistograms(mesh, propagated)[1] as Float64Array;
   expect(limits.reduce((sum, next) => sum + next)).toBeCloseTo(1, 12);
 
   const free = await reduce(mesh, { bounds: { position: { relative: 0.02 } } });
-  expect(errorHistogram(mesh, free, 1)).toBeNull();
+  expect(errorHistograms(mesh, free).map((each) => each === null)).toEqual([false, ...mesh.variables.map(() => true)]);
 });
 
 test('a surface of equal triangles, half of it in error, has half of its area there', () => {
@@ -49,9 +49,12 @@ test('a surface of equal triangles, half of it in error, has half of its area th
   const reduction = {
     vertexErrors: [{ error }],
     report: { variables: [{ bound: 1 }] },
-  } as unknown as Parameters<typeof errorHistogram>[1];
-  const shares = errorHistogram({ position, triangles, variables: [] }, reduction, 0) as Float64Array;
+  } as unknown as Parameters<typeof errorHistograms>[1];
+  const shares = errorHistograms({ position, triangles, variables: [] }, reduction)[0] as Float64Array;
   expect(shares[0]).toBeCloseTo(1 / 2, 12);
   expect(shares[histogramBins / 2]).toBeCloseTo(1 / 3, 12);
   expect(shares[histogramBins - 1]).toBeCloseTo(1 / 6, 12);
+  expect(quantile(shares, 0.4)).toBeCloseTo(1 / histogramBins, 12);
+  expect(quantile(shares, 0.6)).toBeCloseTo(1 / 2 + 1 / histogramBins, 12);
+  expect(quantile(shares, 1)).toBe(1);
 });

@@ -172,6 +172,7 @@ export class App extends LitElement {
           .bounds=${bounds}
           .method=${method}
           .report=${result?.report ?? null}
+          .reduction=${result}
           .measured=${measured}
           .curve=${this.#curve.points}
           @chart-toggle=${({ detail }: CustomEvent<boolean>) => this.#showChart(detail)}

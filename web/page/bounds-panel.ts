@@ -1,12 +1,13 @@
-import { css, html, LitElement } from 'lit';
+import { css, html, LitElement, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
-import type { Report, VariableExtent } from '../../wasm/index.ts';
+import type { Reduction, Report, VariableExtent } from '../../wasm/index.ts';
 import { type BoundSetting, type BoundSettings, largestFraction, parsePercent } from '../session/bound-setting.ts';
 import { type Bounds, readBounds } from '../session/bound-text.ts';
 import type { CurvePoint } from '../session/bounds-curve.ts';
 import type { Method, OpenSurface } from '../session/session.ts';
 import './bound-row.ts';
 import './bounds-chart.ts';
+import './error-spread.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import './menu.ts';
 import './method-choice.ts';
@@ -42,6 +43,8 @@ export class BoundsPanel extends LitElement {
     bounds: { attribute: false },
     method: { attribute: false },
     report: { attribute: false },
+    reduction: { attribute: false },
+    spreadShown: { state: true },
     measured: { type: Boolean },
     curve: { attribute: false },
     canUndo: { type: Boolean },
@@ -84,6 +87,7 @@ export class BoundsPanel extends LitElement {
         cursor: pointer;
       }
       .chart,
+      .spread,
       meshbound-method-choice {
         padding: 8px 0;
         border-top: 1px solid var(--line);
@@ -95,6 +99,10 @@ export class BoundsPanel extends LitElement {
   declare bounds: BoundSettings;
   declare method: Method;
   declare report: Report | null;
+  /** What the report is of. */
+  declare reduction: Reduction | null;
+  /** Whether the spread of errors is to be seen: it is not worked out for nobody. */
+  declare spreadShown: boolean;
   /** Whether the errors of the report were measured; otherwise they are limits from above. */
   declare measured: boolean;
   /** Triangles against bounds, as far as measured. */
@@ -107,6 +115,8 @@ export class BoundsPanel extends LitElement {
     this.surface = null;
     this.bounds = {};
     this.report = null;
+    this.reduction = null;
+    this.spreadShown = false;
     this.measured = true;
     this.curve = [];
     this.canUndo = false;
@@ -128,7 +138,7 @@ export class BoundsPanel extends LitElement {
         ({ name }) => name,
         (variable, index) => this.#row(variable, index),
       )}
-      ${this.#chart()}
+      ${this.#spread()} ${this.#chart()}
       <meshbound-method-choice
         .method=${this.method}
         @method-change=${({ detail }: CustomEvent<Method>) =>
@@ -197,6 +207,25 @@ export class BoundsPanel extends LitElement {
           this.#change({ variable: variable.name, setting: detail })}
       ></meshbound-bound-row>
     </div>`;
+  }
+
+  #spread() {
+    return html`<details
+      class="spread"
+      @toggle=${({ target }: Event) => {
+        this.spreadShown = (target as HTMLDetailsElement).open;
+      }}
+    >
+      <summary>Errors by area</summary>
+      ${
+        this.spreadShown
+          ? html`<meshbound-error-spread
+              .mesh=${this.surface?.mesh ?? null}
+              .reduction=${this.reduction}
+            ></meshbound-error-spread>`
+          : nothing
+      }
+    </details>`;
   }
 
   #chart() {

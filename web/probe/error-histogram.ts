@@ -1,4 +1,5 @@
 import type { Mesh, Reduction } from '../../wasm/types.ts';
+import { normalOf } from './place.ts';
 
 /** Into how many parts error / bound, 0…1, is cut. */
 export const histogramBins = 20;
@@ -7,18 +8,28 @@ export const histogramBins = 20;
 export type ErrorHistogram = Float64Array;
 
 /**
- * The errors of a variable by area. Where they were measured, each vertex of the original stands for a third of the triangles
- * around it; where they are limits (propagated errors), each reduced triangle stands for itself. Null for a free variable.
- *
- * @param index 0 for position, then the variables in their order
+ * The errors of each variable by area: position first, then the variables in their order; null for a free one. Where errors
+ * were measured, each vertex of the original stands for a third of the triangles around it; where they are limits (propagated
+ * errors), each reduced triangle stands for itself.
  */
-export function errorHistogram(mesh: Mesh, reduction: Reduction, index: number): ErrorHistogram | null {
-  const { bound } = reduction.report.variables[index];
-  if (!Number.isFinite(bound)) return null;
-  const measured = reduction.vertexErrors?.[index].error;
-  return measured
-    ? histogram(measured, vertexAreas(mesh), bound)
-    : histogram(reduction.triangleErrors[index].largest, triangleAreas(reduction.mesh), bound);
+export function errorHistograms(mesh: Mesh, reduction: Reduction): (ErrorHistogram | null)[] {
+  const { vertexErrors, triangleErrors, report } = reduction;
+  const areas = vertexErrors ? vertexAreas(mesh) : triangleAreas(reduction.mesh);
+  return report.variables.map(({ bound }, index) => {
+    if (!Number.isFinite(bound)) return null;
+    return histogram(vertexErrors?.[index].error ?? triangleErrors[index].largest, areas, bound);
+  });
+}
+
+/** Below which error / bound this share of the area certainly stays: the end of one of the histogram's parts. */
+export function quantile(histogram: ErrorHistogram, share: number): number {
+  let sum = 0;
+  // Added up, all parts may miss 1 by rounding.
+  const last = histogram.findIndex((part) => {
+    sum += part;
+    return sum >= share;
+  });
+  return last < 0 ? 1 : (last + 1) / histogramBins;
 }
 
 function histogram(errors: Float32Array, areas: Float64Array, bound: number): ErrorHistogram {
@@ -35,17 +46,13 @@ function histogram(errors: Float32Array, areas: Float64Array, bound: number): Er
 function vertexAreas(mesh: Mesh): Float64Array {
   const ofTriangles = triangleAreas(mesh);
   const areas = new Float64Array(mesh.position.length / 3);
-  mesh.triangles.forEach((vertex, corner) => {
-    areas[vertex] += ofTriangles[Math.floor(corner / 3)] / 3;
-  });
+  for (let corner = 0; corner < mesh.triangles.length; corner++) {
+    areas[mesh.triangles[corner]] += ofTriangles[Math.floor(corner / 3)] / 3;
+  }
   return areas;
 }
 
-function triangleAreas({ position, triangles }: Mesh): Float64Array {
-  const edge = (from: number, to: number, axis: number) => position[3 * to + axis] - position[3 * from + axis];
-  return Float64Array.from({ length: triangles.length / 3 }, (_, triangle) => {
-    const [a, b, c] = triangles.subarray(3 * triangle, 3 * triangle + 3);
-    const part = (i: number, j: number) => edge(a, b, i) * edge(a, c, j) - edge(a, b, j) * edge(a, c, i);
-    return Math.hypot(part(1, 2), part(2, 0), part(0, 1)) / 2;
-  });
+function triangleAreas(mesh: Mesh): Float64Array {
+  const count = mesh.triangles.length / 3;
+  return Float64Array.from({ length: count }, (_, triangle) => Math.hypot(...normalOf(mesh, triangle)) / 2);
 }

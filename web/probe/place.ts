@@ -34,10 +34,10 @@ export function distance(one: readonly number[], other: readonly number[]): numb
   return Math.hypot(...one.map((value, component) => value - other[component]));
 }
 
-/** The direction, of no certain length, in which a triangle faces; all zero where it has no area. */
+/** The direction in which a triangle faces, twice as long as its area. */
 export function normalOf({ position, triangles }: Mesh, triangle: number): [number, number, number] {
-  const [a, b, c] = triangles.subarray(3 * triangle, 3 * triangle + 3);
-  const edge = (to: number, axis: number) => position[3 * to + axis] - position[3 * a + axis];
+  const [a, b, c] = [0, 1, 2].map((corner) => 3 * triangles[3 * triangle + corner]);
+  const edge = (to: number, axis: number) => position[to + axis] - position[a + axis];
   const part = (i: number, j: number) => edge(b, i) * edge(c, j) - edge(b, j) * edge(c, i);
   return [part(1, 2), part(2, 0), part(0, 1)];
 }

@@ -1,0 +1,106 @@
+import { css, html, LitElement, nothing, svg } from 'lit';
+import type { Mesh, Reduction, VariableReport } from '../../wasm/types.ts';
+import { controlsStyle } from '../element/controls-style.ts';
+import { percentText } from '../element/number-text.ts';
+import { isMeasured } from '../element/promise-words.ts';
+import { type ErrorHistogram, errorHistograms, histogramBins, quantile } from '../probe/error-histogram.ts';
+
+/** Of a drawing, in its own unit. */
+const [width, height] = [280, 32];
+
+/** How the errors of each variable are spread over the surface: a histogram of error / bound by area. */
+export class ErrorSpread extends LitElement {
+  static override properties = {
+    mesh: { attribute: false },
+    reduction: { attribute: false },
+  };
+
+  static override styles = [
+    controlsStyle,
+    css`
+      :host {
+        display: block;
+      }
+      .name {
+        display: flex;
+        gap: var(--gap);
+        justify-content: space-between;
+        margin-top: 8px;
+      }
+      .name span:first-child {
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .quantiles {
+        white-space: nowrap;
+      }
+      svg {
+        display: block;
+        width: 100%;
+        border-bottom: 1px solid var(--control-line);
+      }
+      .part {
+        fill: var(--accent);
+      }
+      .largest {
+        stroke: var(--ink);
+        stroke-dasharray: 2 2;
+      }
+      .ends {
+        display: flex;
+        justify-content: space-between;
+      }
+    `,
+  ];
+
+  declare mesh: Mesh | null;
+  declare reduction: Reduction | null;
+  #histograms: (ErrorHistogram | null)[] = [];
+
+  constructor() {
+    super();
+    this.mesh = null;
+    this.reduction = null;
+  }
+
+  override willUpdate(changed: Map<string, unknown>): void {
+    if (!changed.has('mesh') && !changed.has('reduction')) return;
+    this.#histograms = this.mesh && this.reduction ? errorHistograms(this.mesh, this.reduction) : [];
+  }
+
+  override render() {
+    const { reduction } = this;
+    if (!reduction) return nothing;
+    const where = isMeasured(reduction) ? 'at the original’s vertices' : 'at most, in each reduced triangle';
+    return html`
+      ${reduction.report.variables.map((variable, index) => this.#drawing(variable, this.#histograms[index]))}
+      <div class="ends small soft"><span>0</span><span>error / bound</span><span>1</span></div>
+      <p class="small soft">How much of the area has which error, ${where}. Dashed: the largest anywhere.</p>
+    `;
+  }
+
+  #drawing({ name, ratio }: VariableReport, histogram: ErrorHistogram | null) {
+    if (!histogram) return html`<div class="name small"><span>${name}</span><span class="soft">free</span></div>`;
+    const [half, most] = [0.5, 0.95].map((share) => percentText(quantile(histogram, share)));
+    const words = `half of the area ≤ ${half}, 95 % of it ≤ ${most} of the bound`;
+    return html`<div class="name small" title=${words}>
+        <span>${name}</span><span class="quantiles soft">half ≤ ${half}, 95&nbsp;% ≤ ${most}</span>
+      </div>
+      <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label="${name}: ${words}">
+        ${this.#parts(histogram)}
+        <line class="largest" x1=${ratio * width} x2=${ratio * width} y1="0" y2=${height}></line>
+      </svg>`;
+  }
+
+  #parts(histogram: ErrorHistogram) {
+    const highest = Math.max(...histogram);
+    const step = width / histogramBins;
+    return Array.from(histogram, (share, index) => {
+      const size = highest > 0 ? (share / highest) * (height - 1) : 0;
+      return svg`<rect class="part" x=${index * step + 0.5} y=${height - size} width=${step - 1} height=${size}></rect>`;
+    });
+  }
+}
+
+customElements.define('meshbound-error-spread', ErrorSpread);
