@@ -1,5 +1,7 @@
+import { readFile } from 'node:fs/promises';
 import AxeBuilder from '@axe-core/playwright';
 import { expect, type Page, test } from '@playwright/test';
+import { readSurface } from '../../web/formats/read.ts';
 import { look, openPage, sentence, sharePage } from './open-page.ts';
 import { coverage, difference, hasBrokenBound, type Picture, pictureOf } from './picture.ts';
 
@@ -141,6 +143,28 @@ test('a level is what the caption, the sentence and the file say', async () => {
   expect(new Set(texts).size).toBe(3);
   await page().getByRole('button', { name: 'Original', exact: true }).click();
   await expect(page().locator('#reduced .caption')).toContainText('Original');
+});
+
+test('all levels are saved in one file, and only where there are some', async () => {
+  await page().getByLabel('Levels of detail').selectOption('0');
+  await page().getByRole('button', { name: 'Save…' }).click();
+  await expect(page().getByRole('button', { name: 'GLB', exact: true })).toBeVisible();
+  await expect(page().getByRole('button', { name: 'Levels (GLB)' })).toHaveCount(0);
+  await page().keyboard.press('Escape');
+  await makeLevels(page(), '3');
+  await page().getByRole('button', { name: 'Level 3', exact: true }).click();
+  const started = page().waitForEvent('download');
+  await page().getByRole('button', { name: 'Save…' }).click();
+  await page().getByRole('button', { name: 'Levels (GLB)' }).click();
+  const download = await started;
+  expect(download.suggestedFilename()).toBe('fireballs-levels.glb');
+  const bytes = new Uint8Array(await readFile(await download.path()));
+  const text = new TextDecoder('latin1').decode(bytes);
+  expect(text).toContain('"MSFT_lod":{"ids":[1,2]}');
+  // Whatever is shown, programs that do not know the extension read the finest.
+  await page().getByRole('button', { name: 'Level 1', exact: true }).click();
+  const finest = (await page().locator('#reduced .caption b').innerText()).replace(/\D/g, '');
+  expect(`${(await readSurface('levels.glb', bytes)).mesh.triangles.length / 3}`).toBe(finest);
 });
 
 test('one draw call shows a morph, however many levels there are', async () => {

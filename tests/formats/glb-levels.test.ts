@@ -1,6 +1,8 @@
 import { validateBytes } from 'gltf-validator';
 import { describe, expect, it } from 'vitest';
+import type { Mesh, Reduction } from '../../wasm/types.ts';
 import { readSurface } from '../../web/formats/read.ts';
+import { writeLevels } from '../../web/formats/write.ts';
 import { screenCoverages, writeGlbLevels } from '../../web/formats/write-glb-levels.ts';
 import { fingerprint, mixedVariables, smallMesh } from './sample-mesh.ts';
 
@@ -50,6 +52,30 @@ describe('levels of detail in one GLB', () => {
   it('can be packed', async () => {
     const packed = await writeGlbLevels([{ mesh: fine }, { mesh: coarse }], { gzip: true });
     expect((await readSurface('levels.glb.gz', packed)).mesh.triangles).toHaveLength(fine.triangles.length);
+  });
+});
+
+describe('levels as they come from a reduction', () => {
+  const reduced = (mesh: Mesh, error: number, extent = 1) =>
+    ({ mesh, report: { variables: [{ error, extent }] } }) as unknown as Reduction;
+
+  it('go to one GLB with the hint at when to switch', async () => {
+    const levels = [reduced(fine, 0.002, 2), reduced(coarse, 0.02, 2)];
+    const direct = await writeGlbLevels([
+      { mesh: fine, error: 0.001 },
+      { mesh: coarse, error: 0.01 },
+    ]);
+    expect(await writeLevels({ levels })).toEqual(direct);
+    expect(jsonOf(await writeLevels({ levels: [reduced(fine, 0, 0), reduced(coarse, 0, 0)] })).nodes[0].extras).toBe(
+      undefined,
+    );
+  });
+
+  it('are refused where the format cannot hold them', async () => {
+    const nameless = { ...fine, variables: [{ ...singles[0], name: '' }] };
+    await expect(writeLevels({ levels: [reduced(nameless, 0)] })).rejects.toThrow('without a name');
+    const endless = { ...fine, position: fine.position.map(() => Infinity) };
+    await expect(writeLevels({ levels: [reduced(fine, 0), reduced(endless, 0)] })).rejects.toThrow('position');
   });
 });
 

@@ -27,7 +27,7 @@ async function bytesOf(path: string): Promise<Uint8Array> {
 }
 
 /** Does what has to do with a file; faults name it. */
-async function named<Value>(path: string, work: () => Promise<Value>): Promise<Value> {
+export async function named<Value>(path: string, work: () => Promise<Value>): Promise<Value> {
   try {
     return await work();
   } catch (error) {

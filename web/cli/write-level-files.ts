@@ -1,8 +1,7 @@
-import type { Levels, Mesh } from '../../wasm/index.ts';
-import { lossesOf } from '../formats/write.ts';
-import { writeGlbLevels } from '../formats/write-glb-levels.ts';
+import type { Levels } from '../../wasm/index.ts';
+import { lossesOf, writeLevels } from '../formats/write.ts';
 import type { StagedFiles } from './staged-files.ts';
-import { encodeSurface, type OpenedSurface } from './surface-files.ts';
+import { encodeSurface, named, type OpenedSurface } from './surface-files.ts';
 
 /** What a file does not hold, a sentence each, by its path. */
 export type FileNotes = [path: string, notes: string[]];
@@ -11,10 +10,11 @@ export type FileNotes = [path: string, notes: string[]];
 export async function writeLevelFiles(
   files: StagedFiles,
   paths: string[],
-  { levels }: Levels,
+  nested: Levels,
   surface: OpenedSurface,
 ): Promise<FileNotes[]> {
-  if (paths.length < levels.length) return [await writeTogether(files, paths[0], { levels, morphs: [] }, surface)];
+  const { levels } = nested;
+  if (paths.length < levels.length) return [await writeTogether(files, paths[0], nested, surface)];
   const notes: FileNotes[] = [];
   for (const [i, path] of paths.entries()) {
     const { bytes, losses } = await encodeSurface(path, levels[i].mesh, surface);
@@ -27,16 +27,11 @@ export async function writeLevelFiles(
 async function writeTogether(
   files: StagedFiles,
   path: string,
-  { levels }: Levels,
+  levels: Levels,
   { units, componentNames }: OpenedSurface,
 ): Promise<FileNotes> {
-  const parts = levels.map(({ mesh, report }) => ({ mesh, error: relativeError(report.variables[0]) }));
   const gzip = /\.gz$/i.test(path);
-  await files.write(path, await writeGlbLevels(parts, { units, componentNames, gzip }));
-  return [path, await lossesOf('glb', levels[0].mesh as Mesh)];
-}
-
-/** The geometric error as a fraction of the extent: known whether or not it was bounded. */
-function relativeError({ error, extent }: { error: number; extent: number }): number | undefined {
-  return extent > 0 ? error / extent : undefined;
+  const bytes = await named(path, () => writeLevels(levels, { units, componentNames, gzip }));
+  await files.write(path, bytes);
+  return [path, await lossesOf('glb', levels.levels[0].mesh)];
 }

@@ -1,15 +1,16 @@
+import type { Levels } from '../../wasm/types.ts';
 import { formatNames } from '../formats/format-names.ts';
 import { labelsWithMap, takenMapNames, withMap } from '../formats/map-variables.ts';
 import type { Format } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
-import { lossesOf, writeSurface } from '../formats/write.ts';
+import { lossesOf, writeLevels, writeSurface } from '../formats/write.ts';
 import { asBounds } from '../session/bound-setting.ts';
 import { reportJson } from '../session/report-json.ts';
 import type { OpenSurface, Reduced } from '../session/session.ts';
 import { savedFileName } from './file-name.ts';
 
-/** What can be saved of a reduction: the surface in each format, the report, the original with the map. */
-export const savedKinds = [...(Object.keys(formatNames) as Format[]), 'report', 'map'] as const;
+/** What can be saved of a reduction: the surface in each format, the report, the original with the map, all levels of detail. */
+export const savedKinds = [...(Object.keys(formatNames) as Format[]), 'report', 'map', 'levels'] as const;
 export type SavedKind = (typeof savedKinds)[number];
 
 interface Saved {
@@ -19,9 +20,15 @@ interface Saved {
   losses: string[];
 }
 
-/** A reduction as a file of this kind. Rejects where the file cannot hold it. */
-export async function savedFile(surface: OpenSurface, reduced: Reduced, kind: SavedKind): Promise<Saved> {
+/** A reduction as a file of this kind, or its levels of detail. Rejects where the file cannot hold it. */
+export async function savedFile(
+  surface: OpenSurface,
+  reduced: Reduced,
+  levels: Levels | null,
+  kind: SavedKind,
+): Promise<Saved> {
   const { mesh } = reduced.result;
+  if (kind === 'levels') return levelsFile(surface, levels);
   if (kind === 'map') return mapFile(surface, reduced);
   if (kind === 'report') {
     return { name: savedFileName(surface.name, 'report', 'json'), content: reportOf(reduced), losses: [] };
@@ -37,6 +44,14 @@ export async function savedFile(surface: OpenSurface, reduced: Reduced, kind: Sa
 function reportOf({ result, bounds, method }: Reduced): string {
   const cost = method.cost === 'maximum' ? 'max' : 'introduced';
   return reportJson(result.report, { bounds: asBounds(bounds), errors: method.errors, cost });
+}
+
+/** As one GLB file, which holds all of them. */
+async function levelsFile({ name, labels }: OpenSurface, levels: Levels | null): Promise<Saved> {
+  if (!levels) throw new Error('There are no levels of detail.');
+  const content = await writeLevels(levels, labels);
+  const losses = await lossesOf('glb', levels.levels[0].mesh, labels);
+  return { name: savedFileName(name, 'levels', 'glb'), content, losses };
 }
 
 /** As VTP, which holds doubles, and which the programs of the field read. */

@@ -426,14 +426,15 @@ export class MeshboundViewer extends LitElement implements WantedView {
 
   /**
    * Offers a download: the reduced surface as `ply`, `vtp`, `vtk`, `glb`, `obj` or `stl`, the `report` as JSON, or the `map`
-   * as VTP (the original with where each vertex went and what error it has there). What a format cannot hold is said.
+   * as VTP (the original with where each vertex went and what error it has there), or all `levels` of detail, where the page
+   * around has made some, as one GLB. What a format cannot hold is said.
    */
   async save(kind: SavedKind): Promise<void> {
     const { surface } = this.session.state;
     const reduced = this.shown;
     if (!surface || !reduced) return;
     try {
-      const { name, content, losses } = await savedFile(surface, reduced, kind);
+      const { name, content, losses } = await savedFile(surface, reduced, this.levels.state.nested, kind);
       download(name, content);
       for (const loss of losses) this.session.tell(`${name}: ${loss}`);
     } catch (error) {

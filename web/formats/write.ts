@@ -1,4 +1,4 @@
-import type { Mesh, Variable } from '../../wasm/types.ts';
+import type { Levels, Mesh, Variable, VariableReport } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
 import { gzip } from './gzip.ts';
@@ -45,11 +45,29 @@ const writers: Record<Format, () => Promise<Writer>> = {
  * or value; `where` is the variable then.
  */
 export async function writeSurface(format: Format, mesh: Mesh, options?: WriteOptions): Promise<Uint8Array> {
-  const { write, lost, single, nameless } = await writers[format]();
+  const writer = await writers[format]();
+  requirePlace(format, mesh, writer);
+  const file = await withinMemory(() => writer.write(mesh, options));
+  return options?.gzip ? gzip(file) : file;
+}
+
+/** Writes nested levels of detail as one GLB file (see writeGlbLevels), of which the same holds. */
+export async function writeLevels({ levels }: Pick<Levels, 'levels'>, options?: WriteOptions): Promise<Uint8Array> {
+  const writer = await writers.glb();
+  for (const { mesh } of levels) requirePlace('glb', mesh, writer);
+  const { writeGlbLevels } = await import('./write-glb-levels.ts');
+  const parts = levels.map(({ mesh, report }) => ({ mesh, error: relativeError(report.variables[0]) }));
+  return writeGlbLevels(parts, options);
+}
+
+/** The geometric error as a fraction of the extent: known whether or not it was bounded. */
+function relativeError({ error, extent }: VariableReport): number | undefined {
+  return extent > 0 ? error / extent : undefined;
+}
+
+function requirePlace(format: Format, mesh: Mesh, { lost, single, nameless }: Writer): void {
   if (!nameless) requireNames(format, mesh);
   if (single) requireFinite(format, keptVariables(mesh, lost(mesh)));
-  const file = await withinMemory(() => write(mesh, options));
-  return options?.gzip ? gzip(file) : file;
 }
 
 /** What a file of this format will not hold of the mesh and its labels, a sentence each; nothing for PLY, VTP and legacy VTK. */

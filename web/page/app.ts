@@ -35,6 +35,7 @@ const savedTexts: Record<SavedKind, { text: string; title: string }> = {
   obj: { text: 'OBJ', title: 'The reduced surface; of its variables only what the format holds' },
   stl: { text: 'STL', title: 'The reduced surface without variables' },
   report: { text: 'Report (JSON)', title: 'Bounds, errors and counts' },
+  levels: { text: 'Levels (GLB)', title: 'All levels of detail in one file (MSFT_lod), in single precision' },
   map: { text: 'Map (VTP)', title: 'The original with where each vertex went, and what error it has there' },
 };
 
@@ -213,8 +214,11 @@ export class App extends LitElement {
   }
 
   #saveMenu(hasResult: boolean) {
+    const hasLevels = this.viewer.levels.state.nested !== null;
     const items: MenuItem[] = [
-      ...savedKinds.map((kind) => ({ ...savedTexts[kind], take: () => this.viewer.save(kind) })),
+      ...savedKinds
+        .filter((kind) => kind !== 'levels' || hasLevels)
+        .map((kind) => ({ ...savedTexts[kind], take: () => this.viewer.save(kind) })),
       { text: 'Picture (PNG)', title: 'What is seen, with its legends', take: () => this.#savePicture(true) },
       { text: 'Picture, no legends', title: 'The surfaces alone', take: () => this.#savePicture(false) },
     ];
