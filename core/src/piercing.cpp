@@ -93,27 +93,30 @@ PlacedTriangle Piercing::placed(const Hole& hole, const NewTriangle& triangle) c
     return placed(hole.ring[at(triangle.a)], hole.ring[at(triangle.m)], hole.ring[at(triangle.b)]);
 }
 
-bool Piercing::in_star(std::uint32_t slot, std::uint32_t candidate) const {
-    return surface_.origin(3 * slot) == candidate || surface_.origin(3 * slot + 1) == candidate ||
-           surface_.origin(3 * slot + 2) == candidate;
+bool Piercing::pierces(const Hole& hole, const Retriangulation& retriangulation) const {
+    std::vector<Boxed> fresh;
+    fresh.reserve(retriangulation.triangles.size());
+    BoundingBox whole;
+    for (const NewTriangle& triangle : retriangulation.triangles) {
+        const PlacedTriangle here = placed(hole, triangle);
+        if (collapsed(here)) continue;
+        if (pierces(fresh, here)) return true;
+        fresh.push_back({here, box_of(here)});
+        for (const glm::dvec3& point : here.points) whole.include(point);
+    }
+    return tree_.any(whole, [&](std::uint32_t slot) {
+        const std::uint32_t a = surface_.origin(3 * slot), b = surface_.origin(3 * slot + 1),
+                            c = surface_.origin(3 * slot + 2);
+        const bool in_star = a == hole.candidate || b == hole.candidate || c == hole.candidate;
+        return !in_star && pierces(fresh, placed(a, b, c));
+    });
 }
 
-bool Piercing::pierces(const Hole& hole, const Retriangulation& retriangulation) const {
-    const std::vector<NewTriangle>& fresh = retriangulation.triangles;
-    for (std::size_t n = 0; n < fresh.size(); ++n) {
-        const PlacedTriangle triangle = placed(hole, fresh[n]);
-        if (collapsed(triangle)) continue;
-        const BoundingBox box = box_of(triangle);
-        for (std::size_t m = 0; m < n; ++m) {
-            const PlacedTriangle other = placed(hole, fresh[m]);
-            if (box.meets(box_of(other)) && pierce(triangle, other)) return true;
-        }
-        if (tree_.any(box, [&](std::uint32_t slot) {
-                return !in_star(slot, hole.candidate) && pierce(triangle, placed(slot));
-            }))
-            return true;
-    }
-    return false;
+bool Piercing::pierces(const std::vector<Boxed>& fresh, const PlacedTriangle& other) {
+    const BoundingBox box = box_of(other);
+    return std::any_of(fresh.begin(), fresh.end(), [&](const Boxed& triangle) {
+        return triangle.box.meets(box) && pierce(triangle.triangle, other);
+    });
 }
 
 void Piercing::change(const Hole& hole, const Retriangulation& retriangulation) {

@@ -40,10 +40,14 @@ public:
     void tidy();
 
 private:
+    struct Boxed {
+        PlacedTriangle triangle;
+        BoundingBox box;
+    };
+    static bool pierces(const std::vector<Boxed>& fresh, const PlacedTriangle& other);
     PlacedTriangle placed(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
     PlacedTriangle placed(std::uint32_t slot) const;
     PlacedTriangle placed(const Hole& hole, const NewTriangle& triangle) const;
-    bool in_star(std::uint32_t slot, std::uint32_t candidate) const;
     void build();
 
     const Surface& surface_;

@@ -42,6 +42,15 @@ bool meet_in_plane(const std::array<glm::dvec2, 3>& t, const glm::dvec2& p, cons
            holds(t, p);
 }
 
+/// Whether a segment lies, along some axis, on one side of a triangle.
+bool apart(const Points& t, const glm::dvec3& p, const glm::dvec3& q) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::max(p[axis], q[axis]) < std::min({t[0][axis], t[1][axis], t[2][axis]}) ||
+            std::min(p[axis], q[axis]) > std::max({t[0][axis], t[1][axis], t[2][axis]}))
+            return true;
+    return false;
+}
+
 /// Whether the segment p, q meets the triangle, ends and rim among both.
 bool segment_meets(const Points& t, const glm::dvec3& p, const glm::dvec3& q) {
     const int at_p = exact_orientation(t[0], t[1], t[2], p), at_q = exact_orientation(t[0], t[1], t[2], q);
@@ -49,6 +58,7 @@ bool segment_meets(const Points& t, const glm::dvec3& p, const glm::dvec3& q) {
     if (at_p != 0 || at_q != 0) // the line meets the plane in one point, which lies on the segment
         return !differ(exact_orientation(p, q, t[0], t[1]), exact_orientation(p, q, t[1], t[2]),
                        exact_orientation(p, q, t[2], t[0]));
+    if (apart(t, p, q)) return false;
     for (int axis = 0; axis < 3; ++axis)
         if (!meet_in_plane({along(axis, t[0]), along(axis, t[1]), along(axis, t[2])}, along(axis, p), along(axis, q)))
             return false;
@@ -74,10 +84,24 @@ bool meet(const Points& one, const Points& other) {
     return false;
 }
 
+/// Whether two triangles with their first corners in common lie, along some axis, on either side of these, one of them with
+/// nothing but its corner in between: a test that costs next to nothing.
+bool part_at_corner(const Points& one, const Points& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double corner = one[0][axis];
+        const double one_least = std::min(one[1][axis], one[2][axis]), one_most = std::max(one[1][axis], one[2][axis]);
+        const double least = std::min(other[1][axis], other[2][axis]), most = std::max(other[1][axis], other[2][axis]);
+        if ((one_most < corner && corner <= least) || (one_most <= corner && corner < least) ||
+            (most < corner && corner <= one_least) || (most <= corner && corner < one_least))
+            return true;
+    }
+    return false;
+}
+
 /// Two triangles with their first corners in common: where they meet elsewhere, a ray from there leaves one of them through
 /// the edge that faces the corner, inside the other.
 bool meet_beyond_corner(const Points& one, const Points& other) {
-    if (lies_aside(one, other) || lies_aside(other, one)) return false;
+    if (part_at_corner(one, other) || lies_aside(one, other) || lies_aside(other, one)) return false;
     return segment_meets(one, other[1], other[2]) || segment_meets(other, one[1], one[2]);
 }
 

@@ -20,9 +20,11 @@ struct BoundingBox {
         lowest = glm::min(lowest, p);
         highest = glm::max(highest, p);
     }
+    /// Without branches, which could not be foretold.
     bool meets(const BoundingBox& other) const {
-        return lowest.x <= other.highest.x && other.lowest.x <= highest.x && lowest.y <= other.highest.y &&
-               other.lowest.y <= highest.y && lowest.z <= other.highest.z && other.lowest.z <= highest.z;
+        return static_cast<bool>((int{lowest.x <= other.highest.x} & int{other.lowest.x <= highest.x}) &
+                                 (int{lowest.y <= other.highest.y} & int{other.lowest.y <= highest.y}) &
+                                 (int{lowest.z <= other.highest.z} & int{other.lowest.z <= highest.z}));
     }
 };
 
