@@ -48,7 +48,7 @@ test.afterAll(() => server.close());
 async function record(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const told: object[] = [];
-    for (const name of ['load', 'progress', 'reduce', 'error']) {
+    for (const name of ['load', 'progress', 'reduce', 'probe', 'error']) {
       const keep = (event: Event) => {
         const { id, localName } = event.target as Element;
         if (localName === 'meshbound-viewer') told.push({ id, name, detail: (event as CustomEvent).detail });
@@ -65,7 +65,13 @@ async function record(page: Page): Promise<void> {
 interface Told {
   id: string;
   name: string;
-  detail: { phase?: string; progress?: number; triangles?: { before: number; after: number }; name?: string };
+  detail: {
+    phase?: string;
+    progress?: number;
+    triangles?: { before: number; after: number };
+    name?: string;
+    pinned?: boolean;
+  };
 }
 
 function told(page: Page): Promise<Told[]> {
@@ -133,4 +139,28 @@ test('says what is wrong, by event and in words, and goes on with the next', asy
   });
   expect(report.triangles.after).toBeLessThan(report.triangles.before / 10);
   expect(report).toMatchObject({ aborted: 'AbortError', same: true });
+});
+
+test('tells what is pointed at, pins it on a click and lets it go, each viewer for itself', async ({ page }) => {
+  await record(page);
+  await page.goto(address);
+  const viewer = page.locator('#first');
+  await expect(viewer.locator('.sentence')).toContainText('proved');
+  const last = async () => (await told(page)).findLast(({ name }) => name === 'probe');
+  await viewer.locator('#reduced').click();
+  await expect.poll(last).toMatchObject({ id: 'first', detail: { pinned: true, probe: { from: 'reduced' } } });
+  await expect(viewer.getByRole('group', { name: 'Probe' })).toContainText('Pinned');
+  const isWorst = await viewer.evaluate(async (element: HTMLElementTagNameMap['meshbound-viewer']) => {
+    await element.probeWorst('temperature');
+    const { probe, report } = element;
+    const index = report?.variables.findIndex((variable) => variable.name === 'temperature') ?? -1;
+    return Math.abs((probe?.variables[index].ratio ?? 0) - (report?.variables[index].ratio ?? 1)) < 1e-5;
+  });
+  expect(isWorst).toBe(true);
+  await page.keyboard.press('Escape');
+  await expect.poll(last).toMatchObject({ id: 'first', detail: { pinned: false } });
+  await expect(viewer.getByText('Pinned')).toHaveCount(0);
+  expect(new Set((await told(page)).filter((each) => each.name === 'probe').map(({ id }) => id))).toEqual(
+    new Set(['first']),
+  );
 });

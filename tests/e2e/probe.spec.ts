@@ -214,6 +214,12 @@ test('of levels of detail the one that is shown is probed, and none between two'
   await expect(page().locator('#reduced .caption')).toContainText('On the way');
   await page().locator('#reduced').hover();
   await expect(card()).toHaveCount(0);
+  // The worst place is that of the nearer level, which is shown then.
+  await page().locator('meshbound-bound-row').first().locator('.error').click();
+  await expect(page().locator('#reduced .caption')).toContainText('Level 3');
+  await expect(card()).toContainText('Pinned');
+  await expect(page().locator('.marker:not(.hidden)')).toHaveCount(2);
+  expect((await told()).probe?.variables[0].ratio).toBeCloseTo(level?.[0].ratio ?? Number.NaN, 5);
   await page().getByLabel('Levels of detail').selectOption('0');
 });
 

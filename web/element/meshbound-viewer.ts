@@ -242,6 +242,9 @@ export class MeshboundViewer extends LitElement implements WantedView {
   /** Levels of detail of what the session reached. @internal */
   readonly levels = new LevelSession(this.session, reduceLevels);
   #probing = new Probing(segment, (error) => this.session.report(error));
+  /** What the stage has drawn, and the variable whose worst place is to be pinned when it is a reduction. */
+  #shown: Shown = { mesh: null, reduction: null };
+  #worstWanted: string | null = null;
   #levelView: LevelView | null = null;
   #motion = new LevelMotion(this.levels, () => this.#stage?.showsReduced ?? false);
   /** What the last change of the session was compared with. */
@@ -404,8 +407,23 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.#stage?.lookFrom(direction);
   }
 
-  /** Pins the place where the error of a variable, `position` among them, is largest, and turns it into sight. */
+  /**
+   * Pins the place where the error of a variable, `position` among them, is largest, and turns it into sight. From the way
+   * between two levels of detail it goes to the nearer one.
+   */
   async probeWorst(variable: string): Promise<void> {
+    const { nested, position } = this.levels.state;
+    const level = Math.max(1, Math.round(position));
+    this.#worstWanted = variable;
+    if (nested && level !== position) this.levels.setPosition(level);
+    await this.#probeWanted();
+  }
+
+  /** As soon as there is a reduction to look at. */
+  async #probeWanted(): Promise<void> {
+    const variable = this.#worstWanted;
+    if (variable === null || !this.#shown.reduction) return;
+    this.#worstWanted = null;
     this.#probing.pinWorst(variable);
     await this.updateComplete;
     await this.#stage?.updateComplete;
@@ -482,7 +500,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
           .reducing=${progress !== null}
           .settings=${this.settings}
           .probe=${this.#probing.state}
-          @stage-shown=${({ detail }: CustomEvent<Shown>) => this.#probing.follow(detail.mesh, detail.reduction)}
+          @stage-shown=${this.#stageShown}
           @stage-point=${({ detail }: CustomEvent<Pointed | null>) =>
             this.#probing.point(detail?.from ?? 'original', detail?.place ?? null)}
           @stage-pin=${({ detail }: CustomEvent<Pointed | null>) =>
@@ -631,6 +649,13 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.requestUpdate();
     const { probe, pinned, pending } = this.#probing.state;
     if (!pending) this.#fire('probe', { probe, pinned });
+  }
+
+  #stageShown({ detail }: CustomEvent<Shown>): void {
+    if (detail.mesh !== this.#shown.mesh) this.#worstWanted = null;
+    this.#shown = detail;
+    this.#probing.follow(detail.mesh, detail.reduction);
+    void this.#probeWanted();
   }
 
   #stageDrawn(): void {
