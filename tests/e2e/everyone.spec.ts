@@ -36,6 +36,43 @@ test('axe finds nothing wrong, light and dark, with values, errors, the method, 
   await both();
 });
 
+test('axe finds nothing wrong in what opens, and on a narrow page', async ({ page }) => {
+  test.slow();
+  await openPage(page);
+  await page.getByText('Triangles by bound').click();
+  await page.getByText('Errors by area').click();
+  await page.getByRole('combobox', { name: 'View' }).selectOption('wipe');
+  await page.getByLabel('Levels of detail').selectOption('2');
+  await expect(page.getByRole('slider', { name: 'Position among levels' })).toBeEnabled();
+  expect(await violations(page)).toEqual([]);
+  for (const opener of ['More', 'Save…', 'Share…', 'Presets', 'Keys']) {
+    await page.getByRole('button', { name: opener }).click();
+    expect(await violations(page)).toEqual([]);
+    await page.keyboard.press('Escape');
+  }
+  await page.setViewportSize({ width: 320, height: 640 });
+  expect(await violations(page)).toEqual([]);
+});
+
+test('nothing moves of its own accord, but for progress', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openPage(page);
+  const moving = await page.evaluate(() => {
+    const found: string[] = [];
+    const visit = (root: ParentNode) => {
+      for (const element of root.querySelectorAll('*')) {
+        const { transitionDuration, animationDuration } = getComputedStyle(element);
+        const durations = `${transitionDuration}, ${animationDuration}`.split(', ');
+        if (durations.some((duration) => Number.parseFloat(duration) > 0)) found.push(element.outerHTML.slice(0, 80));
+        if (element.shadowRoot) visit(element.shadowRoot);
+      }
+    };
+    visit(document);
+    return found;
+  });
+  expect(moving).toEqual([]);
+});
+
 test('everything works from the keyboard, with the focus in sight', async ({ page }) => {
   await openPage(page);
   const first = await counts(page);

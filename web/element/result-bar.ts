@@ -77,6 +77,8 @@ export class ResultBar extends LitElement {
   /** The last reduction was cancelled. */
   declare cancelled: boolean;
 
+  #resizes = new ResizeObserver(() => this.#focusIfScrolling());
+
   constructor() {
     super();
     this.report = null;
@@ -96,9 +98,24 @@ export class ResultBar extends LitElement {
     `;
   }
 
-  /** A sentence that is longer than its room scrolls, and must be reached from the keyboard then. */
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#resizes.observe(this);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#resizes.disconnect();
+  }
+
   override updated(): void {
-    const sentence = this.renderRoot.querySelector('.sentence') as HTMLElement;
+    this.#focusIfScrolling();
+  }
+
+  /** A sentence that is longer than its room scrolls, and must be reached from the keyboard then. */
+  #focusIfScrolling(): void {
+    const sentence = this.renderRoot.querySelector<HTMLElement>('.sentence');
+    if (!sentence) return;
     if (sentence.scrollHeight > sentence.clientHeight) sentence.tabIndex = 0;
     else sentence.removeAttribute('tabindex');
   }
