@@ -204,6 +204,14 @@ describe('a VTP file', () => {
       'no name',
     ],
     ['with an array of empty name', piece({ p: array('format="ascii"', '1 2 3').replace('"p"', '""') }), 'empty_name'],
+    ['with two PolyData', `${piece()}</PolyData><PolyData>${piece()}`, 'duplicate_name', 'PolyData', '2 times'],
+    [
+      'with two arrays of points',
+      piece({ points: array('NumberOfComponents="3" format="ascii"', '0 0 0 1 0 0 0 1 0').repeat(2) }),
+      'duplicate_name',
+      '“Points”',
+    ],
+    ['with corners twice', piece({ polys: cells('0 1 2', '3').repeat(2) }), 'duplicate_name', 'Polys offsets'],
     ['with one array twice', piece({ p: array('format="ascii"', '1 2 3').repeat(2) }), 'duplicate_name', '“p”'],
     [
       'with flat points',

@@ -24,7 +24,7 @@ import { childrenOf, parseXml, type XmlNode } from './xml-tree.ts';
 export function readVtp(bytes: Uint8Array): Surface {
   const { root, appended } = openDocument(bytes);
   checkKind(root);
-  const data = childrenOf(root, 'PolyData')[0];
+  const data = onlyOne(childrenOf(root, 'PolyData'), 'PolyData');
   const pieceNodes = data ? childrenOf(data, 'Piece') : [];
   const packing = packingOf(root, appended, bytes.length);
   const notes = notCarried(data, pieceNodes);
@@ -121,7 +121,8 @@ function componentsOf(node: XmlNode): number {
 
 function readPoints(piece: XmlNode, points: number, packing: VtkPacking, prefix: string): PointArray {
   const where = `array ${prefix}“Points”`;
-  const node = childrenOf(piece, 'Points').flatMap((parent) => childrenOf(parent, 'DataArray'))[0];
+  const nodes = childrenOf(piece, 'Points').flatMap((parent) => childrenOf(parent, 'DataArray'));
+  const node = onlyOne(nodes, where);
   if (!node && points > 0) throw new FormatError('no_points', `The ${where} is missing.`, where);
   if (!node) return { name: 'position', components: 3, values: new Float32Array(), integers: false };
   if (points > 0 && componentsOf(node) !== 3) {
@@ -143,6 +144,12 @@ function readPointArray(node: XmlNode, points: number, packing: VtkPacking, pref
   return { name, components, values, integers: !isFloatArray(node) };
 }
 
+/** The one of its kind; undefined if there is none. Of two, nobody can tell which is meant. */
+function onlyOne(nodes: XmlNode[], where: string): XmlNode | undefined {
+  if (nodes.length < 2) return nodes[0];
+  throw new FormatError('duplicate_name', `The ${where} is there ${nodes.length} times.`, where);
+}
+
 /** Polys or Strips of a piece: their corners, and where each cell ends among them. */
 function readCells(piece: XmlNode, kind: 'Polys' | 'Strips', packing: VtkPacking, prefix: string): Polygons {
   const count = countOf(piece, `NumberOf${kind}`);
@@ -150,7 +157,10 @@ function readCells(piece: XmlNode, kind: 'Polys' | 'Strips', packing: VtkPacking
   const arrays = childrenOf(piece, kind).flatMap((parent) => childrenOf(parent, 'DataArray'));
   const read = (name: string, length: number, convert: (values: VtkValues, where: string) => Uint32Array) => {
     const where = `array ${prefix}“${kind} ${name}”`;
-    const node = arrays.find((array) => array.attributes.Name === name);
+    const node = onlyOne(
+      arrays.filter((array) => array.attributes.Name === name),
+      where,
+    );
     if (!node) throw new FormatError('count_mismatch', `The ${where} is missing.`, where);
     return convert(readDataArray(node, length, packing, where), where);
   };
