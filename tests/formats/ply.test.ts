@@ -103,9 +103,18 @@ describe.each(plyOrders)('PLY, %s', (order) => {
       },
       { name: 'edge', properties: ['int vertex1', 'int vertex2'], rows: [[0, 1]] },
     ];
-    const { mesh, summary } = await readSurface('', plyFile(order, parts));
+    const comments = ['comment TextureFile wood.png', 'comment by hand'];
+    const { mesh, summary } = await readSurface('', plyFile(order, parts, comments));
     expect(Array.from(mesh.triangles)).toEqual([0, 1, 2]);
-    for (const name of ['“ring”', '“red”', '“texcoord”', '“vertex_indices”', '“edge” (1 row)', '“nothing” (2 rows)'])
+    for (const name of [
+      'textures “wood.png”',
+      '“ring”',
+      '“red”',
+      '“texcoord”',
+      '“vertex_indices”',
+      '“edge” (1 row)',
+      '“nothing” (2 rows)',
+    ])
       expect(summary).toContain(name);
   });
 

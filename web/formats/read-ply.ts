@@ -50,7 +50,7 @@ export function readPly(bytes: Uint8Array): Surface {
   }
   const { position, variables, notes: vertexNotes } = parts.vertices ?? noPoints();
   const triangles = joinTriangles(parts, position, notes);
-  notes.push(...vertexNotes, ...endNotes(bytes, header, values));
+  notes.push(...vertexNotes, ...textureNotes(header), ...endNotes(bytes, header, values));
   return { mesh: { position, triangles, variables }, notes, ...labels(header, variables) };
 }
 
@@ -198,6 +198,12 @@ function joinTriangles(
   triangles.set(ofFaces);
   triangles.set(ofStrips, ofFaces.length);
   return triangles;
+}
+
+/** Comments by which MeshLab and others name the pictures on a surface. */
+function textureNotes({ comments }: PlyHeader): string[] {
+  const textures = comments.flatMap((comment) => /^TextureFile\s+(.+)$/i.exec(comment)?.[1] ?? []);
+  return textures.length > 0 ? [`Not carried: the textures ${listed(textures)}.`] : [];
 }
 
 function endNotes(bytes: Uint8Array, header: PlyHeader, values: PlyValues): string[] {
