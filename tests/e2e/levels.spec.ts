@@ -35,12 +35,7 @@ async function rested(shown: Page): Promise<Picture> {
  * the background, as far as none of its back is drawn.
  */
 async function leaveBacksOut(shown: Page, out: boolean): Promise<void> {
-  await shown.locator('meshbound-stage canvas').evaluate((canvas: HTMLCanvasElement, wanted) => {
-    const context = canvas.getContext('webgl2') as WebGL2RenderingContext;
-    if (wanted) context.enable(context.CULL_FACE);
-    else context.disable(context.CULL_FACE);
-  }, out);
-  await shown.getByRole('button', { name: 'Fit' }).click();
+  await shown.locator('meshbound-viewer').evaluate((viewer, wanted) => viewer.toggleAttribute('cull', wanted), out);
 }
 
 /** Background pixels that the surface encloses: holes. */

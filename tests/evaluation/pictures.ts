@@ -47,13 +47,19 @@ async function takeFigure(page: Page, { sample, percents, drawn }: PaperCase, fo
   for (const percent of percents) {
     await boundAll(page, percent);
     for (const variable of drawn) {
-      await look(page, { colour: variable, edges: variable === drawn[0] });
+      const asInThePaper = variable === drawn[0];
+      await look(page, { colour: variable, edges: asInThePaper });
+      await shadeFlat(page, asInThePaper);
       // A little away, so that nothing lies under caption and legend.
       await page.locator('#original').press('-');
       if (percent === percents[0]) await take('original', variable, 'original');
       await take('reduced', variable, `${percent}`);
     }
   }
+}
+
+async function shadeFlat(page: Page, flat: boolean): Promise<void> {
+  await page.locator('meshbound-viewer').evaluate((viewer, wanted) => viewer.toggleAttribute('flat', wanted), flat);
 }
 
 /** The same bound for the geometry and all variables. */
