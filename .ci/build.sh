@@ -3,10 +3,12 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-if [ ! -e build/wasm/build.ninja ]; then
-    cmake --preset wasm
-fi
-cmake --build --preset wasm
+for preset in wasm wasm-threads; do
+    if [ ! -e "build/$preset/build.ninja" ]; then
+        cmake --preset "$preset"
+    fi
+    cmake --build --preset "$preset"
+done
 node_modules/.bin/tsx web/samples/build.ts
 node_modules/.bin/vite build --config web/vite.config.ts --logLevel warn
 node_modules/.bin/vite build --config web/element/vite.config.ts --logLevel warn

@@ -16,10 +16,40 @@ export interface Core {
 
 const binary = new URL('../build/wasm/meshbound.wasm', import.meta.url);
 
-/** Loads the WebAssembly module: from its address in a browser, from its file in Node, where fetch knows no files. */
+/** The same with threads, in files that find each other by what they are told here; never bundled. */
+const threaded = {
+  module: new URL('../build/wasm-threads/meshbound.mjs', import.meta.url),
+  binary: new URL('../build/wasm-threads/meshbound.wasm', import.meta.url),
+  worker: new URL('../build/wasm-threads/meshbound.worker.js', import.meta.url),
+};
+
+/** More threads hardly help, and each takes a worker from the page's beginning. */
+const mostThreads = 8;
+
+/**
+ * Loads the WebAssembly module: from its address in a browser, from its file in Node, where fetch knows no files. With
+ * threads where the page is isolated from other origins, which shared memory needs, and the module comes from its own.
+ */
 export function loadCore(): Promise<Core> {
   if (binary.protocol === 'file:') {
     return createModule<Core>({ wasmBinary: process.getBuiltinModule('node:fs').readFileSync(binary) });
   }
-  return createModule<Core>({ locateFile: () => binary.href });
+  const loadSingle = () => createModule<Core>({ locateFile: () => binary.href });
+  // A browser that is short of memory may refuse to share so much of it.
+  return mayShareMemory() ? loadThreaded().catch(loadSingle) : loadSingle();
+}
+
+function mayShareMemory(): boolean {
+  return globalThis.crossOriginIsolated && threaded.module.origin === location.origin;
+}
+
+async function loadThreaded(): Promise<Core> {
+  const { default: createThreaded }: { default: typeof createModule } = await import(
+    /* @vite-ignore */ threaded.module.href
+  );
+  return createThreaded<Core>({
+    locateFile: (name) => (name.endsWith('.wasm') ? threaded.binary.href : threaded.worker.href),
+    mainScriptUrlOrBlob: threaded.module.href,
+    workers: Math.min(navigator.hardwareConcurrency, mostThreads) - 1,
+  });
 }

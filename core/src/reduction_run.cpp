@@ -46,7 +46,7 @@ std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& 
 } // namespace
 
 ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities, Ticker& ticker)
-    : mesh_(mesh), options_(options), oddities_(oddities), ticker_(ticker),
+    : mesh_(mesh), options_(options), oddities_(oddities), ticker_(ticker), team_(threads_to_use(options)),
       surface_(mesh.triangles, vertex_count(mesh)) {
     if (surface_.discordant_edges() > 0) orient_surface();
     non_manifold_vertices_ = surface_.count(VertexKind::fixed);
@@ -117,8 +117,8 @@ void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Re
     if (!ticker_.ask()) return;
     const std::vector<char> candidate = find_candidates(mesh_, surface_, options_);
     const std::unique_ptr<LinkedTracking> linked = link ? link_from_here(bounds) : nullptr;
-    Sweeper sweeper(surface_, *rows_, linked ? static_cast<Accounting&>(*linked) : *accounting_, candidate,
-                    threads_to_use(options_), piercing_.get());
+    Sweeper sweeper(surface_, *rows_, linked ? static_cast<Accounting&>(*linked) : *accounting_, candidate, team_,
+                    piercing_.get());
     const double swept = span.start + sweeping_share * (span.end - span.start);
     const std::vector<double> limits = limits_of_sweeps(bounds);
     reached_ = bounds;

@@ -11,6 +11,7 @@
 #include "rows.hpp"
 #include "small_parts.hpp"
 #include "surface.hpp"
+#include "team.hpp"
 #include "ticker.hpp"
 
 namespace meshbound {
@@ -49,6 +50,7 @@ private:
     const Options& options_;
     Oddities oddities_;
     Ticker& ticker_;
+    Team team_;
     Surface surface_;
     std::vector<glm::uvec3> oriented_; // the input's triangles where some were turned; empty else
     DroppedParts dropped_;

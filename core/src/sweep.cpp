@@ -33,9 +33,9 @@ int depth_of_cut(std::size_t vertices, std::size_t in_patch) {
 
 } // namespace
 
-Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate,
-                 std::size_t threads, Piercing* piercing)
-    : surface_(surface), rows_(rows), accounting_(accounting), threads_(threads), piercing_(piercing),
+Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate, Team& team,
+                 Piercing* piercing)
+    : surface_(surface), rows_(rows), accounting_(accounting), team_(team), piercing_(piercing),
       candidate_(std::move(candidate)), queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1),
       touched_(candidate_.size(), 0), verdicts_(candidate_.size()) {
     removals_.push_back(std::make_unique<Removal>(surface, rows, accounting, piercing));
@@ -115,7 +115,7 @@ bool Sweeper::take_in_patches(const Sweep& sweep, const Queue& round) {
     const Patches patches(rows_, round, depth_of_cut(round.size(), cutting(sweep.effort).in_patch), round_);
     std::vector<Patch> cut(patches.count());
     for (const std::uint32_t vertex : round) cut[patches.at(rows_.position(vertex))].vertices.push_back(vertex);
-    team_->run(cut.size(), [&](std::size_t member, std::size_t number) {
+    team_.run(cut.size(), [&](std::size_t member, std::size_t number) {
         if (!take_patch(sweep, patches, number, member, cut[number])) cancelled_ = true;
     });
     std::size_t put_off = 0;
@@ -187,9 +187,8 @@ bool Sweeper::tick(const Sweep& sweep, std::size_t member) {
 }
 
 void Sweeper::gather_team() {
-    if (team_) return;
-    team_ = std::make_unique<Team>(threads_);
-    while (removals_.size() < team_->size())
+    team_.gather();
+    while (removals_.size() < team_.size())
         removals_.push_back(std::make_unique<Removal>(surface_, rows_, accounting_, piercing_));
 }
 

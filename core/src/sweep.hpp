@@ -23,8 +23,8 @@ namespace meshbound {
 class Sweeper {
 public:
     /// `candidate[v]`: whether vertex v may go at all. `piercing`, where given: refuses what would pierce.
-    Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate,
-            std::size_t threads, Piercing* piercing);
+    Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate, Team& team,
+            Piercing* piercing);
 
     /// Sweeps with each limit (fractions of the bounds, rising), which takes the progress from `start` to `end`. False when
     /// the ticker cancelled.
@@ -63,10 +63,9 @@ private:
     Surface& surface_;
     const Rows& rows_;
     Accounting& accounting_;
-    std::size_t threads_;
+    Team& team_; // gathered for the first large round
     Piercing* piercing_;
     std::vector<std::unique_ptr<Removal>> removals_; // by member of the team
-    std::unique_ptr<Team> team_;                     // gathered for the first large round
     std::vector<char> candidate_;
     std::vector<char> queued_;
     std::vector<char> fresh_;            // never looked at since its star changed

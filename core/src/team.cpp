@@ -1,12 +1,14 @@
 #include "team.hpp"
 
 #include <system_error>
+#include <utility>
 
 namespace meshbound {
 
-Team::Team(std::size_t members) {
+void Team::gather() {
+    if (std::exchange(gathered_, true)) return;
     try {
-        for (std::size_t member = 1; member < members; ++member)
+        for (std::size_t member = 1; member < members_; ++member)
             threads_.emplace_back([this, member] { serve(member); });
     } catch (const std::system_error&) {
         // Fewer do the same work.
@@ -23,6 +25,7 @@ Team::~Team() {
 }
 
 void Team::run(std::size_t tasks, const Work& work) {
+    gather();
     {
         const std::lock_guard lock(mutex_);
         work_ = &work;

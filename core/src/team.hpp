@@ -18,11 +18,14 @@ public:
     /// Does one task. `member`: which of the team does it, 0 … size() - 1; one at a time is never two.
     using Work = std::function<void(std::size_t member, std::size_t task)>;
 
-    /// Where no more threads can be started (a WebAssembly module without them), the team is smaller.
-    explicit Team(std::size_t members);
+    explicit Team(std::size_t members) : members_(members) {}
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
     ~Team();
+
+    /// Starts the threads, unless they run already. Where no more can be started (a WebAssembly module without them, or
+    /// without another worker), the team is smaller.
+    void gather();
 
     std::size_t size() const { return threads_.size() + 1; }
 
@@ -34,6 +37,8 @@ private:
     void serve(std::size_t member);
     void take_tasks(std::size_t member);
 
+    std::size_t members_;
+    bool gathered_ = false;
     std::vector<std::thread> threads_;
     std::mutex mutex_; // of all that is below but next_
     std::condition_variable begun_, done_;
