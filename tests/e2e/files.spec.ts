@@ -121,6 +121,22 @@ test('opens every format, packed or not', async () => {
   }
 });
 
+test('opens a surface together with variables in CSV', async () => {
+  const { mesh } = await readSurface('sheet.ply', new Uint8Array(sheet(12)));
+  const bytes = await writeSurface('vtp', { ...mesh, variables: [] });
+  const wind = `wind [m/s]\n${Array.from(mesh.position)
+    .filter((_, i) => i % 3 === 0)
+    .join('\n')}\n`;
+  await page()
+    .locator('input[type=file]')
+    .setInputFiles([
+      { name: 'wind.csv', mimeType: 'text/csv', buffer: Buffer.from(wind) },
+      { name: 'plain.vtp', mimeType: '', buffer: Buffer.from(bytes) },
+    ]);
+  await expect(page().getByTitle('wind', { exact: true })).toBeVisible();
+  await expect.poll(async () => (await counts(page())).before).toBe(2 * 11 * 11);
+});
+
 test('offers to leave out a variable that is no number', async () => {
   const before = await sentence(page()).innerText();
   await dropFile(page(), 'square.ply', squareWithNaN());

@@ -66,6 +66,13 @@ describe('a file', () => {
     await expectFault(content, 'unsupported_format', name);
   });
 
+  it('of variables alone is told to need a surface', async () => {
+    await expect(readSurface('heat.csv', bytesOf('heat\n1\n2\n'))).rejects.toMatchObject({
+      code: 'not_a_mesh',
+      message: expect.stringContaining('A CSV file adds variables to a surface'),
+    });
+  });
+
   it('of an image is refused by name', async () => {
     await expectFault(Uint8Array.of(0x89, 0x50, 0x4e, 0x47), 'unsupported_format', 'image');
   });

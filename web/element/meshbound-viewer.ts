@@ -376,9 +376,9 @@ export class MeshboundViewer extends LitElement implements WantedView {
     return this.levels.shown ?? this.session.state.reduced;
   }
 
-  /** Opens a file of the user's. */
-  open(file: File): Promise<void> {
-    return this.session.openFile(file);
+  /** Opens a file of the user's, and those chosen together with it: variables in CSV, what a glTF file refers to. */
+  open(file: File, ...beside: File[]): Promise<void> {
+    return this.session.openFile(file, beside);
   }
 
   /**

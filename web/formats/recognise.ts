@@ -47,11 +47,16 @@ export function recognise(bytes: Uint8Array, name: string): Format {
   const found = signatures.find(begins);
   const format = found ? found.format : formatWithoutMark(bytes, name);
   if (format) return format;
-  if (!found) throw new FormatError('not_a_mesh', `This is no mesh file that is known here: ${readable} are.`);
+  if (!found)
+    throw new FormatError('not_a_mesh', `This is no mesh file that is known here: ${readable} are.${adviceFor(name)}`);
   throw new FormatError(
     'unsupported_format',
     `This looks like ${found.called}, which is not read here; ${readable} are.`,
   );
+}
+
+function adviceFor(name: string): string {
+  return /\.csv$/i.test(name) ? ' A CSV file adds variables to a surface: give both together.' : '';
 }
 
 function formatWithoutMark(bytes: Uint8Array, name: string): Format | undefined {

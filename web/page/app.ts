@@ -5,6 +5,7 @@ import { BoundsCurve } from '../session/bounds-curve.ts';
 import '../element/index.ts';
 import type { WantedView } from '../element/view-settings.ts';
 import { stateFromJson, stateJson } from '../element/viewer-state.ts';
+import { surfaceAmong } from '../formats/surface-among.ts';
 import { messageOf } from '../session/failure.ts';
 import type { Method } from '../session/session.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
@@ -123,7 +124,7 @@ export class App extends LitElement {
   /** Whether the chart is to be seen: nothing is measured for nobody. */
   #charted = false;
   #link = new Link(this.viewer);
-  #drop = new FileDrop(this, (file) => this.#openFile(file));
+  #drop = new FileDrop(this, (files) => this.#openFiles(files));
 
   constructor() {
     super();
@@ -158,7 +159,7 @@ export class App extends LitElement {
         .surface=${surface}
         .bounds=${bounds}
         .settings=${this.viewer.settings}
-        @open-file=${({ detail }: CustomEvent<File>) => this.#openFile(detail)}
+        @open-files=${({ detail }: CustomEvent<File[]>) => this.#openFiles(detail)}
         @open-sample=${({ detail }: CustomEvent<Sample>) => this.#openSample(detail)}
         @view-change=${({ detail }: CustomEvent<Partial<WantedView>>) => this.#set(detail)}
         @fit=${() => this.viewer.fit()}
@@ -253,14 +254,16 @@ export class App extends LitElement {
     this.viewer.src = address;
   }
 
-  #openFile(file: File): void {
+  #openFiles(files: File[]): void {
+    const file = surfaceAmong(files);
+    if (!file) return;
     if (/\.json$/i.test(file.name)) {
       void this.#openState(file);
       return;
     }
     this.viewer.session.wantBounds(null, { later: true });
     this.viewer.camera = null;
-    void this.viewer.open(file);
+    void this.viewer.open(file, ...files.filter((other) => other !== file));
   }
 
   /** Attributes of the viewer that the controls change. */

@@ -5,9 +5,9 @@ export class FileDrop implements ReactiveController {
   /** Whether files are held over the page right now. */
   hovering = false;
   #host: ReactiveControllerHost;
-  #dropped: (file: File) => void;
+  #dropped: (files: File[]) => void;
 
-  constructor(host: ReactiveControllerHost, dropped: (file: File) => void) {
+  constructor(host: ReactiveControllerHost, dropped: (files: File[]) => void) {
     this.#host = host;
     this.#dropped = dropped;
     host.addController(this);
@@ -38,11 +38,11 @@ export class FileDrop implements ReactiveController {
   };
 
   #drop = (event: DragEvent): void => {
-    const file = event.dataTransfer?.files[0];
+    const files = Array.from(event.dataTransfer?.files ?? []);
     this.#hover(false);
-    if (!file) return;
+    if (files.length === 0) return;
     event.preventDefault();
-    this.#dropped(file);
+    this.#dropped(files);
   };
 
   #hover(hovering: boolean): void {

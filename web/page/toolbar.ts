@@ -9,12 +9,12 @@ import type { Opening, OpenSurface } from '../session/session.ts';
 import type { Sample } from './samples.ts';
 
 /** What the file dialogue offers: a glTF may also be text, and all may be packed. The content of a file decides what it is. */
-const offeredEndings = [...Object.keys(formatNames), 'gltf', 'gz'].map((ending) => `.${ending}`).join();
+const offeredEndings = [...Object.keys(formatNames), 'gltf', 'bin', 'csv', 'gz'].map((ending) => `.${ending}`).join();
 
 /**
  * File, sample, and the controls of the view.
  *
- * @fires open-file with a File
+ * @fires open-files with a list of File, chosen together
  * @fires open-sample with a Sample
  * @fires view-change with what is wanted now: a Partial<WantedView>
  * @fires fit
@@ -109,7 +109,7 @@ export class Toolbar extends LitElement {
     const open = this.surface?.address;
     return html`
       <button @click=${this.browse}>Open…</button>
-      <input type="file" hidden accept=${offeredEndings} @change=${this.#openFile} />
+      <input type="file" hidden multiple accept=${offeredEndings} @change=${this.#openFiles} />
       <label>
         <span class="soft">Sample</span>
         <select @change=${this.#openSample}>
@@ -124,17 +124,17 @@ export class Toolbar extends LitElement {
     `;
   }
 
-  /** Asks for a file to open. */
+  /** Asks for a file to open, with those that belong to it. */
   browse(): void {
     this.renderRoot.querySelector<HTMLInputElement>('input[type=file]')?.click();
   }
 
-  #openFile({ target }: Event): void {
+  #openFiles({ target }: Event): void {
     const input = target as HTMLInputElement;
-    const file = input.files?.[0];
+    const files = Array.from(input.files ?? []);
     // Emptied, so that choosing the same file again is a change.
     input.value = '';
-    if (file) this.dispatchEvent(new CustomEvent('open-file', { detail: file }));
+    if (files.length > 0) this.dispatchEvent(new CustomEvent('open-files', { detail: files }));
   }
 
   #openSample(event: Event): void {

@@ -1,5 +1,6 @@
 import type { Mesh } from '../../wasm/types.ts';
 import { fromAnyHost } from '../../workers/from-any-host.ts';
+import type { NamedFile } from '../formats/read-together.ts';
 import type { Labels } from '../formats/surface.ts';
 import type { Watchers } from './services.ts';
 
@@ -16,13 +17,14 @@ export interface OpenedFile {
 export type ReadAnswer = { file: OpenedFile } | { code: string; message: string };
 
 /**
- * Reads a surface in a worker of its own, which the bytes are handed over to. The worker ends with the file: parsing
+ * Reads a surface with the files `beside` it in a worker of its own, which the bytes are handed over to. The worker ends with the file: parsing
  * leaves several times the file's size behind, and a broken file may leave anything.
  */
 export function readInWorker(
   name: string,
   bytes: Uint8Array<ArrayBuffer>,
   { signal }: Watchers = {},
+  beside: NamedFile[] = [],
 ): Promise<OpenedFile> {
   const Worker = fromAnyHost(globalThis.Worker);
   const worker = new Worker(new URL('./read.worker.ts', import.meta.url), { type: 'module' });
@@ -32,6 +34,6 @@ export function readInWorker(
     signal?.addEventListener('abort', () => reject(signal.reason), { once: true });
     worker.onerror = ({ message }) => reject(new Error(message || 'The reader could not be started.'));
   });
-  worker.postMessage({ name, bytes }, [bytes.buffer]);
+  worker.postMessage({ name, bytes, beside }, [bytes.buffer, ...beside.map((file) => file.bytes.buffer)]);
   return answer.finally(() => worker.terminate());
 }

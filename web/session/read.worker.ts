@@ -1,10 +1,13 @@
-import { readSurface } from '../formats/read.ts';
+import { type NamedFile, readTogether } from '../formats/read-together.ts';
 import { codeOf, messageOf } from './failure.ts';
 import type { OpenedFile, ReadAnswer } from './read.ts';
 
-addEventListener('message', async ({ data }: MessageEvent<{ name: string; bytes: Uint8Array }>) => {
+/** A surface and the files that were chosen with it. */
+type Files = NamedFile & { beside: NamedFile[] };
+
+addEventListener('message', async ({ data }: MessageEvent<Files>) => {
   try {
-    const { mesh, locked, notes, units, componentNames } = await readSurface(data.name, data.bytes);
+    const { mesh, locked, notes, units, componentNames } = await readTogether(data.name, data.bytes, data.beside);
     const file = { mesh, locked, notes, labels: { units, componentNames } };
     postMessage({ file } satisfies ReadAnswer, { transfer: buffersOf(file) });
   } catch (error) {

@@ -1,4 +1,5 @@
 import type { Inspection, Mesh, ReduceOptions, Reduction } from '../../wasm/index.ts';
+import type { NamedFile } from '../formats/read-together.ts';
 import type { OpenedFile } from './read.ts';
 
 /** What a task that takes a while gets from who waits for it. */
@@ -13,6 +14,7 @@ export interface Services {
   /** Rejects with an error that has a `code`, and a `variable` where one is at fault. */
   inspect(mesh: Mesh, watchers?: Watchers): Promise<Inspection>;
   reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduction>;
-  read(name: string, bytes: Uint8Array<ArrayBuffer>, watchers?: Watchers): Promise<OpenedFile>;
+  /** `beside` are the files that were chosen together with this one. */
+  read(name: string, bytes: Uint8Array<ArrayBuffer>, watchers?: Watchers, beside?: NamedFile[]): Promise<OpenedFile>;
   fetchBytes(address: string, watchers?: Watchers): Promise<Uint8Array<ArrayBuffer>>;
 }

@@ -1,4 +1,5 @@
 import type { Inspection, Mesh, ReduceOptions, Reduction, VariableExtent } from '../../wasm/index.ts';
+import type { NamedFile } from '../formats/read-together.ts';
 import type { Labels } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import {
@@ -134,9 +135,12 @@ export class Session extends EventTarget {
     return this.#state;
   }
 
-  openFile(file: File): Promise<void> {
-    const bytes = async () => new Uint8Array(await file.arrayBuffer());
-    return this.#open({ name: file.name, address: null }, (signal) => this.#read(file.name, bytes, signal));
+  /** `beside` are files chosen together with it: variables in CSV, what a glTF file refers to. */
+  openFile(file: File, beside: readonly File[] = []): Promise<void> {
+    const others = () => Promise.all(beside.map(async (other) => ({ name: other.name, bytes: await bytesOf(other) })));
+    return this.#open({ name: file.name, address: null }, (signal) =>
+      this.#read(file.name, () => bytesOf(file), signal, others),
+    );
   }
 
   openAddress(address: string): Promise<void> {
@@ -240,11 +244,16 @@ export class Session extends EventTarget {
     this.#reducing.abort();
   }
 
-  async #read(name: string, bytes: () => Promise<Uint8Array<ArrayBuffer>>, signal: AbortSignal): Promise<OpenedFile> {
-    const content = await bytes();
+  async #read(
+    name: string,
+    bytes: () => Promise<Uint8Array<ArrayBuffer>>,
+    signal: AbortSignal,
+    beside: () => Promise<NamedFile[]> = async () => [],
+  ): Promise<OpenedFile> {
+    const [content, others] = await Promise.all([bytes(), beside()]);
     signal.throwIfAborted();
     this.#update({ opening: { name, phase: 'read', progress: 0 } });
-    return this.#services.read(name, content, { signal });
+    return this.#services.read(name, content, { signal }, others);
   }
 
   async #open(source: Source, load: (signal: AbortSignal) => Promise<OpenedFile>): Promise<void> {
@@ -365,6 +374,10 @@ export class Session extends EventTarget {
   #notify(notice: Omit<Notice, 'id'>): void {
     this.#update({ notices: [...this.#state.notices, { ...notice, id: ++this.#lastNotice }] });
   }
+}
+
+async function bytesOf(file: File): Promise<Uint8Array<ArrayBuffer>> {
+  return new Uint8Array(await file.arrayBuffer());
 }
 
 /** What the file at an address is called. */
