@@ -32,7 +32,7 @@ async function reduceLarge(page: Page): Promise<Outcome> {
   const download = page.waitForEvent('download');
   await page
     .locator('meshbound-viewer')
-    .evaluate((element: { save(format: string): Promise<void> } & Element) => element.save('ply'));
+    .evaluate((element) => (element as HTMLElement & { save(format: string): Promise<void> }).save('ply'));
   const chunks: Buffer[] = [];
   for await (const chunk of await (await download).createReadStream()) chunks.push(chunk);
   return {
