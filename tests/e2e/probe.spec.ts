@@ -5,6 +5,7 @@ import type { MeshboundViewer } from '../../web/element/meshbound-viewer.ts';
 import { distance } from '../../web/probe/place.ts';
 import type { Probe, ProbedPlace, Side } from '../../web/probe/probe.ts';
 import { look, openPage, settled, sharePage, typePercent } from './open-page.ts';
+import { coverage, difference, pictureOf } from './picture.ts';
 
 const page = sharePage();
 const card = () => page().getByRole('group', { name: 'Probe' });
@@ -233,3 +234,33 @@ test('axe finds nothing wrong with a pinned place, light and dark', async ({ pag
     expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ target }) => target)])).toEqual([]);
   }
 });
+
+for (const [width, height] of [
+  [320, 640],
+  [390, 844],
+]) {
+  test(`a finger probes by a tap at ${width} × ${height}, and both surfaces stay drawn`, async ({ browser }) => {
+    const context = await browser.newContext({ viewport: { width, height }, hasTouch: true });
+    const own = await context.newPage();
+    await openPage(own);
+    await own.locator('#original').scrollIntoViewIfNeeded();
+    await expect.poll(async () => coverage(await pictureOf(own, 'original'))).toBeGreaterThan(0.05);
+    const before = await pictureOf(own, 'original');
+    await own.locator('#original').tap();
+    const shown = own.getByRole('group', { name: 'Probe' });
+    await expect(shown).toContainText('Pinned');
+    await expect(shown).not.toContainText('…');
+    await expect(own.locator('.marker')).toHaveCount(2);
+    const [stage, over] = [await boxOf(own.locator('meshbound-stage')), await boxOf(shown)];
+    expect(over.x).toBeGreaterThanOrEqual(stage.x);
+    expect(over.x + over.width).toBeLessThanOrEqual(stage.x + stage.width);
+    expect(over.y).toBeGreaterThanOrEqual(stage.y);
+    expect(over.y + over.height).toBeLessThanOrEqual(stage.y + stage.height);
+    expect(await shown.evaluate((element) => element.scrollWidth - element.clientWidth)).toBe(0);
+    // The card lies over the other surface; of this one the marker hides little.
+    expect(difference(before, await pictureOf(own, 'original'))).toBeLessThan(0.05);
+    await shown.getByRole('button', { name: 'Unpin' }).tap();
+    await expect(shown).toHaveCount(0);
+    await context.close();
+  });
+}

@@ -3,8 +3,10 @@ import {
   countText,
   lowerPercentText,
   percentText,
+  placeErrorText,
   secondsText,
   upperText,
+  usedShareText,
   valueText,
   withUnit,
 } from '../../web/element/number-text.ts';
@@ -74,3 +76,17 @@ test('times are short', () => {
   expect(plain(secondsText(12.4))).toBe('12 s');
   expect(plain(secondsText(0.0001))).toBe('less than 0.01 s');
 });
+
+test.each([
+  [0, '0 %', '0'],
+  [1e-12, '≈ 0 %', '≈ 0'],
+  [0.621, '62.1 %', '0.0621'],
+  [0.99999, '99.9 %', '0.1'],
+  [1, '100 %', '0.1'],
+])('at a place that uses %d of a bound of 0.1 stand %j and the error %j', (share, used, error) => {
+  expect(plain(usedShareText(share))).toBe(used);
+  expect(plain(placeErrorText(0.1 * share, share))).toBe(error);
+});
+
+test('the error of a free variable is written whatever it is', () =>
+  expect(plain(placeErrorText(1e-12, null))).toBe('1e−12'));

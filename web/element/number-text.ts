@@ -64,12 +64,21 @@ export function lowerPercentText(fraction: number): string {
   return percentText(roundedDown(fraction, promisedDigits));
 }
 
-/** Below this a share of a bound is as good as none. */
-const smallestShare = 1e-4;
+/** Below this an error is what rounding leaves of none: errors are held in single precision. */
+const smallestShare = 1e-6;
 
 /** The share that a place uses of a bound: "62.1 %"; reads 100 only where it is all, and 0 only where it is none. */
-export function probedShareText(share: number): string {
-  return share > 0 && share < smallestShare ? `<\u00a0${percentText(smallestShare)}` : lowerPercentText(share);
+export function usedShareText(share: number): string {
+  return isRounding(share) ? `\u2248\u00a0${percentText(0)}` : lowerPercentText(share);
+}
+
+/** The error at a place in its unit, given what share of its bound that is (null where it has none): "0.31". */
+export function placeErrorText(error: number, share: number | null): string {
+  return share !== null && isRounding(share) ? '\u2248\u00a00' : valueText(error);
+}
+
+function isRounding(share: number): boolean {
+  return share > 0 && share < smallestShare;
 }
 
 /** "0.31 s", "12 s" */

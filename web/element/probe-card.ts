@@ -3,7 +3,7 @@ import type { Labels } from '../formats/surface.ts';
 import type { ProbedVariable } from '../probe/probe.ts';
 import { nothingProbed, type ProbeState } from '../session/probing.ts';
 import { controlsStyle } from './controls-style.ts';
-import { probedShareText, valueText } from './number-text.ts';
+import { placeErrorText, usedShareText, valueText } from './number-text.ts';
 
 /** Significant digits of values: enough to see a difference within usual bounds. */
 const valueDigits = 4;
@@ -26,7 +26,8 @@ export class ProbeCard extends LitElement {
       :host {
         display: block;
         padding: 4px 10px 6px;
-        background: var(--panel);
+        /* Not opaque: where such a card can be scrolled, Chromium takes the canvas below it for hidden, beyond its edges. */
+        background: color-mix(in srgb, var(--panel) 98%, transparent);
         border: 1px solid var(--line);
         border-radius: var(--radius);
         font-size: var(--text-small);
@@ -49,7 +50,7 @@ export class ProbeCard extends LitElement {
       }
       th,
       td {
-        padding: 1px 0 1px 12px;
+        padding: 1px 0 1px 8px;
         font-weight: inherit;
         text-align: right;
         vertical-align: top;
@@ -65,7 +66,7 @@ export class ProbeCard extends LitElement {
         text-align: left;
       }
       th[scope='row'] {
-        max-width: 180px;
+        max-width: 140px;
         overflow: hidden;
         text-overflow: ellipsis;
         white-space: nowrap;
@@ -77,7 +78,7 @@ export class ProbeCard extends LitElement {
       }
       td.share {
         white-space: nowrap;
-        background: linear-gradient(var(--accent) 0 0) 12px 100% / calc(var(--share) * (100% - 12px)) 2px no-repeat;
+        background: linear-gradient(var(--accent) 0 0) 8px 100% / calc(var(--share) * (100% - 8px)) 2px no-repeat;
       }
       tbody button {
         min-height: 0;
@@ -162,9 +163,9 @@ export class ProbeCard extends LitElement {
       <th scope="row" title=${name}>${this.#name(name)}${unit && unit !== '1' ? html` <span class="soft">[${unit}]</span>` : nothing}</th>
       <td>${this.#values(variable.original)}</td>
       <td>${this.#values(variable.reduced)}</td>
-      <td>${known && error !== null ? valueText(error) : this.#unknown}</td>
+      <td>${known && error !== null ? placeErrorText(error, ratio) : this.#unknown}</td>
       <td class="share" .style=${`--share:${known ? Math.min(1, ratio ?? 0) : 0}`}>
-        ${free ? 'free' : known && ratio !== null ? probedShareText(ratio) : this.#unknown}
+        ${free ? 'free' : known && ratio !== null ? usedShareText(ratio) : this.#unknown}
       </td>
     </tr>`;
   }

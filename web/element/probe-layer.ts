@@ -3,7 +3,7 @@ import type { Labels } from '../formats/surface.ts';
 import { largestShare } from '../probe/probe.ts';
 import { nothingProbed, type ProbeState } from '../session/probing.ts';
 import { controlsStyle } from './controls-style.ts';
-import { probedShareText } from './number-text.ts';
+import { usedShareText } from './number-text.ts';
 import type { ProbeCard } from './probe-card.ts';
 import './probe-card.ts';
 import type { Marker } from './stage-probe.ts';
@@ -53,7 +53,9 @@ export class ProbeLayer extends LitElement {
       }
       meshbound-probe-card {
         position: absolute;
-        max-width: min(520px, 100% - 20px);
+        max-width: min(420px, 100% - 20px);
+        max-height: calc(100% - 20px);
+        overflow-y: auto;
       }
       .spoken {
         position: absolute;
@@ -110,7 +112,7 @@ export class ProbeLayer extends LitElement {
     if (!probe || !pinned || pending) return '';
     const most = largestShare(probe);
     return most
-      ? `Pinned. Largest error: ${most.name}, ${probedShareText(most.ratio ?? 0)} of its bound.`
+      ? `Pinned. Largest error: ${most.name}, ${usedShareText(most.ratio ?? 0)} of its bound.`
       : 'Pinned. No error is known here.';
   }
 
