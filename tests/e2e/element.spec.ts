@@ -69,6 +69,44 @@ test('what attributes say, properties say too, and the view shows', async ({ pag
   await expect(byProperty.locator('.sentence')).toHaveCount(1);
 });
 
+test('levels of detail are made, shown, told of and saved', async ({ page }) => {
+  await openOwnPage(page, usual.replace('controls', 'controls level="2" level-count="3"'));
+  const viewer = page.locator('meshbound-viewer');
+  const caption = viewer.locator('#reduced .caption');
+  await expect(caption).toContainText('Level 2');
+  await viewer.evaluate((element: Viewer) => {
+    const told: unknown[] = [];
+    for (const name of ['levels', 'level-change']) {
+      element.addEventListener(name, (event) => told.push([name, (event as CustomEvent).detail]));
+    }
+    Object.assign(window, { told });
+  });
+  const told = () => page.evaluate(() => (window as unknown as { told: [name: string, detail: unknown][] }).told);
+  await viewer.evaluate((element: Viewer) => Object.assign(element, { level: 0.5 }));
+  await expect(caption).toContainText('On the way to level 1');
+  expect(await told()).toEqual([['level-change', { level: 0.5 }]]);
+  await viewer.getByLabel('Position among levels').fill('3');
+  await expect(caption).toContainText('Level 3');
+  expect(
+    await viewer.evaluate(({ level, levelCount, levelPixels }: Viewer) => [level, levelCount, levelPixels]),
+  ).toEqual([3, 3, null]);
+  await viewer.evaluate((element: Viewer) => element.setAttribute('level-pixels', '1000'));
+  await viewer.evaluate((element: Viewer) => Object.assign(element, { level: 9 }));
+  await expect(caption).toContainText('Level 3');
+  expect(await viewer.evaluate(({ levelPixels }: Viewer) => levelPixels)).toBe(null);
+
+  await viewer.evaluate((element: Viewer) => element.setAttribute('level-count', '2'));
+  await expect.poll(async () => (await told()).at(-1)?.[0]).toBe('levels');
+  expect((await told()).at(-1)?.[1]).toHaveLength(2);
+  const started = page.waitForEvent('download');
+  await viewer.evaluate((element: Viewer) => element.save('levels'));
+  expect((await started).suggestedFilename()).toBe('fireballs-levels.glb');
+
+  await viewer.evaluate((element: Viewer) => element.removeAttribute('level-count'));
+  await expect(caption).toContainText('Reduced');
+  await expect(viewer.getByLabel('Position among levels')).toHaveCount(0);
+});
+
 test('the camera is read, set, told of, and stays what an attribute says until it moves', async ({ page }) => {
   await openOwnPage(page, usual.replace('controls', 'controls camera="0 0 6 / 0 0 0"'));
   const viewer = page.locator('meshbound-viewer');

@@ -33,7 +33,7 @@ test('the page about the element shows it at work, and names everything that it 
   await viewer.locator('#original').press('Enter');
   // Each part that is named is there: red reaches it.
   for (const { name } of cssParts.filter((part) => !['poster', 'notice', 'progress', 'divider'].includes(part.name))) {
-    const part = viewer.locator(`[part~=${name.replace('legend-', '')}]`).first();
+    const part = page.locator(`[part~=${name.replace('legend-', '')}]`).first();
     await page.evaluate((each) => {
       const sheet = new CSSStyleSheet();
       sheet.replaceSync(`meshbound-viewer::part(${each}) { outline: 3px solid rgb(255, 0, 0); }`);

@@ -1,18 +1,19 @@
 import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
 import { inspect, reduce, reduceLevels, segment } from '../../wasm/index.ts';
-import type { Reduction, Report } from '../../wasm/types.ts';
+import type { Levels, Reduction, Report } from '../../wasm/types.ts';
 import type { ValueColormap } from '../colour/colormaps.ts';
 import type { Probe } from '../probe/probe.ts';
 import { areFirst, asBounds, largestFraction } from '../session/bound-setting.ts';
 import { boundsText, readBounds } from '../session/bound-text.ts';
 import { fetchBytes } from '../session/fetch-bytes.ts';
-import { LevelSession } from '../session/level-session.ts';
+import { LevelSession, mostLevels } from '../session/level-session.ts';
 import { Probing } from '../session/probing.ts';
 import { readInWorker } from '../session/read.ts';
 import { type Method, type Reduced, Session, type SessionState } from '../session/session.ts';
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
 import { download, type SavedKind, savedFile } from './download.ts';
+import './levels-panel.ts';
 import { LevelMotion } from './level-motion.ts';
 import { LevelView } from './level-view.ts';
 import './notices.ts';
@@ -52,6 +53,8 @@ const lazyMargin = '200px';
  * @fires {CustomEvent<{ phase: Phase, progress: number }>} progress - What is being done, and how far everything is, 0…1.
  * @fires {CustomEvent<Report>} reduce - A reduction has ended well: its report.
  * @fires {CustomEvent<{ probe: Probe | null, pinned: boolean }>} probe - Another place is pointed at or pinned: what stands there on both surfaces, and each error; null where none is any more.
+ * @fires {CustomEvent<Report[]>} levels - Levels of detail are there: the report of each, finest first.
+ * @fires {CustomEvent<{ level: number }>} level-change - Another level is shown, or the way between two goes on.
  * @fires {CustomEvent<{ camera: string | null }>} camera-change - The camera has moved; the detail is as the attribute.
  * @fires {CustomEvent<{ code: string, message: string }>} error - Something is at fault. What was shown before stays.
  *
@@ -73,6 +76,7 @@ const lazyMargin = '200px';
  * @csspart notice - A message over the stage.
  * @csspart progress - How far the work is: a line at the lower edge of the stage.
  * @csspart controls - The bar of controls above the stage.
+ * @csspart levels - The bar below the stage in which a level of detail is chosen.
  * @csspart sentence - The result in words below the stage.
  * @csspart numbers - Beside it, how far the work is, or what it brought.
  *
@@ -114,6 +118,9 @@ export class MeshboundViewer extends LitElement implements WantedView {
     orthographic: { type: Boolean },
     clip: {},
     camera: { noAccessor: true },
+    levelCount: { noAccessor: true, attribute: 'level-count', type: Number },
+    level: { noAccessor: true, type: Number },
+    levelPixels: { noAccessor: true, attribute: 'level-pixels', type: Number },
     unlinked: { type: Boolean },
     controls: { type: Boolean },
     poster: {},
@@ -260,6 +267,11 @@ export class MeshboundViewer extends LitElement implements WantedView {
   #step: Step | null = null;
   /** The camera, until there is a stage for it. */
   #firstCamera: string | null = null;
+  /** The level that was asked for, until there are so many. */
+  #firstLevel: number | null = null;
+  /** The reports of levels that were last told of, and the level. */
+  #toldLevels: Levels | null = null;
+  #toldLevel = 1;
   #sight: IntersectionObserver | null = null;
 
   constructor() {
@@ -323,6 +335,50 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.#firstCamera = text;
     const stage = this.#stage;
     if (stage) stage.camera = text;
+  }
+
+  /**
+   * How many nested levels of detail there are to be, with morphs between them: each has twice the bounds of the one before,
+   * the first has `bounds`. At most 6; default: 0, none.
+   *
+   * @attr level-count
+   */
+  get levelCount(): number {
+    return this.levels.state.count;
+  }
+
+  set levelCount(count: number | null) {
+    this.levels.setCount(Math.floor(Math.min(Math.max(Number(count) || 0, 0), mostLevels)));
+    if (this.#firstLevel !== null) this.levels.arriveAt(this.#firstLevel);
+  }
+
+  /**
+   * Which level is shown: 0 the original, 1 (default) the finest, and so on; between two whole numbers the way from one to
+   * the other.
+   *
+   * @attr
+   */
+  get level(): number {
+    return this.levelCount > 0 ? this.levels.state.position : (this.#firstLevel ?? 1);
+  }
+
+  set level(level: number | null) {
+    this.#firstLevel = Number.isFinite(level) ? Number(level) : 1;
+    if (this.levelCount > 0) this.levels.setPosition(this.#firstLevel);
+  }
+
+  /**
+   * Has the level chosen by its size on screen, the coarsest whose error in space spans no more than this many pixels; null
+   * (default), and whenever `level` is set: it is not chosen so.
+   *
+   * @attr level-pixels
+   */
+  get levelPixels(): number | null {
+    return this.levels.state.pixels;
+  }
+
+  set levelPixels(pixels: number | null) {
+    this.levels.setPixels(pixels !== null && pixels > 0 ? pixels : null);
   }
 
   /** What the last reduction reached; null where there is none. */
@@ -444,8 +500,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
 
   /**
    * Offers a download: the reduced surface as `ply`, `vtp`, `vtk`, `glb`, `obj` or `stl`, the `report` as JSON, or the `map`
-   * as VTP (the original with where each vertex went and what error it has there), or all `levels` of detail, where the page
-   * around has made some, as one GLB. What a format cannot hold is said.
+   * as VTP (the original with where each vertex went and what error it has there), or all `levels` of detail as one GLB, where there
+   * are some. What a format cannot hold is said.
    */
   async save(kind: SavedKind): Promise<void> {
     const { surface } = this.session.state;
@@ -519,6 +575,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
           @dismiss=${({ detail }: CustomEvent<number>) => this.session.dismiss(detail)}
         ></meshbound-notices>
       </div>
+      ${this.controls && this.levelCount > 0 ? this.#levels() : nothing}
       ${this.controls ? this.#result() : nothing}
     `;
   }
@@ -560,6 +617,16 @@ export class MeshboundViewer extends LitElement implements WantedView {
       ></meshbound-view-controls>
       <slot name="controls"></slot>
     </div>`;
+  }
+
+  #levels() {
+    return html`<meshbound-levels-panel
+      part="levels"
+      .levels=${this.levels.state}
+      @level-count=${({ detail }: CustomEvent<number>) => this.levels.setCount(detail)}
+      @level-pixels=${({ detail }: CustomEvent<number | null>) => this.levels.setPixels(detail)}
+      @level-position=${({ detail }: CustomEvent<number>) => this.levels.setPosition(detail)}
+    ></meshbound-levels-panel>`;
   }
 
   #result() {
@@ -643,6 +710,20 @@ export class MeshboundViewer extends LitElement implements WantedView {
     if (!nested || !surface) this.#levelView = null;
     else if (this.#levelView?.nested !== nested) this.#levelView = new LevelView(surface, nested);
     this.requestUpdate();
+    this.#tellLevels();
+  }
+
+  #tellLevels(): void {
+    const { nested, position } = this.levels.state;
+    const [toldLevels, toldLevel] = [this.#toldLevels, this.#toldLevel];
+    this.#toldLevels = nested;
+    this.#toldLevel = position;
+    if (nested && nested !== toldLevels)
+      this.#fire(
+        'levels',
+        nested.levels.map(({ report }) => report),
+      );
+    if (position !== toldLevel) this.#fire('level-change', { level: position });
   }
 
   #probeChanged(): void {

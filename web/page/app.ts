@@ -16,7 +16,7 @@ import { isMeasured } from '../element/promise-words.ts';
 import { tokens } from '../element/tokens.ts';
 import { FileDrop } from './file-drop.ts';
 import '../element/result-bar.ts';
-import './levels-panel.ts';
+import '../element/levels-panel.ts';
 import { Link } from './link.ts';
 import type { MenuItem } from './menu.ts';
 import './menu.ts';

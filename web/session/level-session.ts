@@ -19,6 +19,9 @@ export interface LevelState {
   pixels: number | null;
 }
 
+/** More levels than this have bounds beyond any use. */
+export const mostLevels = 6;
+
 /** From level to level all bounds grow by this factor. */
 export const levelFactor = 2;
 

@@ -1,10 +1,10 @@
 import { css, html, LitElement, nothing } from 'lit';
-import { controlsStyle } from '../element/controls-style.ts';
-import { countText } from '../element/number-text.ts';
-import type { LevelState } from '../session/level-session.ts';
+import { type LevelState, mostLevels } from '../session/level-session.ts';
+import { controlsStyle } from './controls-style.ts';
+import { countText } from './number-text.ts';
 
 /** How many levels can be asked for. */
-const counts = [0, 2, 3, 4, 5, 6];
+const counts = Array.from({ length: mostLevels + 1 }, (_, count) => count);
 /** How many pixels an error may span where levels are chosen by their size on screen. */
 const pixelChoices = [0.5, 1, 2, 5, 10];
 /** One press of an arrow key moves this far from level to level. */
