@@ -216,6 +216,13 @@ test('shows how the errors of each variable are spread over the area, up to the 
   }));
   expect(largest / width).toBeGreaterThan(0.5);
   expect(largest / width).toBeLessThanOrEqual(1);
+  const { cells, foldedCells } = await page().evaluate(() => {
+    const app = document.querySelector('meshbound-app')?.shadowRoot;
+    return app?.querySelector('meshbound-viewer')?.report ?? { cells: 0, foldedCells: 0 };
+  });
+  expect(cells).toBeGreaterThan(0);
+  const digits = (await page().locator('.folds').innerText()).replace(/\(.*\)|[^\d ]|(?<=\d)[\u202f\u00a0](?=\d)/g, '');
+  expect(digits.split(/ +/).filter(Boolean).map(Number)).toEqual([cells, foldedCells]);
 
   await page().getByRole('checkbox', { name: 'pressure bounded' }).uncheck();
   await expect(page().locator('meshbound-error-spread')).toContainText(/pressure\s*free/);

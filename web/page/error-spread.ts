@@ -1,12 +1,17 @@
 import { css, html, LitElement, nothing, svg } from 'lit';
-import type { Mesh, Reduction, VariableReport } from '../../wasm/types.ts';
+import type { Mesh, Reduction, Report, VariableReport } from '../../wasm/types.ts';
 import { controlsStyle } from '../element/controls-style.ts';
-import { percentText } from '../element/number-text.ts';
+import { countText, percentText } from '../element/number-text.ts';
 import { isMeasured } from '../element/promise-words.ts';
 import { type ErrorHistogram, errorHistograms, histogramBins, quantile } from '../probe/error-histogram.ts';
 
 /** Of a drawing, in its own unit. */
 const [width, height] = [280, 32];
+
+function foldsText({ cells, foldedCells }: Report): string {
+  const share = foldedCells > 0 ? ` (${percentText(foldedCells / cells)})` : '';
+  return `The map cuts the original into ${countText(cells)} cells and folds ${countText(foldedCells)} of them${share}, within the bounds.`;
+}
 
 /** How the errors of each variable are spread over the surface: a histogram of error / bound by area. */
 export class ErrorSpread extends LitElement {
@@ -77,6 +82,7 @@ export class ErrorSpread extends LitElement {
       ${reduction.report.variables.map((variable, index) => this.#drawing(variable, this.#histograms[index]))}
       <div class="ends small soft"><span>0</span><span>error / bound</span><span>1</span></div>
       <p class="small soft">How much of the area has which error, ${where}. Dashed: the largest anywhere.</p>
+      ${reduction.report.cells > 0 ? html`<p class="folds small soft">${foldsText(reduction.report)}</p>` : nothing}
     `;
   }
 
