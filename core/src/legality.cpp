@@ -152,7 +152,14 @@ bool Legality::allows_triangle(const RingTriangle& triangle) const {
     if (minds_turns_ && glm::dot(normal, normal_) < least_cosine_ * length) return false;
     if (m == a + 1 && folds_onto_neighbour(triangle, a)) return false;
     if (b == m + 1 && folds_onto_neighbour(triangle, m)) return false;
-    return !(a == 0 && b == hole_->size() - 1 && folds_onto_neighbour(triangle, b));
+    if (a == 0 && b == hole_->size() - 1 && folds_onto_neighbour(triangle, b)) return false;
+    return !turns_from_original(triangle);
+}
+
+bool Legality::turns_from_original(const RingTriangle& triangle) const {
+    const std::vector<std::uint32_t>& ring = hole_->ring;
+    return original_.turns({ring[at(triangle.a)], ring[at(triangle.m)], ring[at(triangle.b)]}, triangle.normal,
+                           triangle.length);
 }
 
 bool Legality::allows_neighbours(const RingTriangle& triangle, int left, int right) const {

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "hole.hpp"
+#include "original_normals.hpp"
 #include "ring_triangle.hpp"
 #include "rows.hpp"
 #include "surface.hpp"
@@ -13,11 +14,11 @@
 namespace meshbound {
 
 /// Which retriangulations of a hole keep the surface a surface (§3.2.3): no edge and no triangle twice, no two neighbouring
-/// triangles that fold onto each other, no diagonal of an open hole that leaves the candidate inside.
+/// triangles that fold onto each other, none that turns more than a right angle against the original, no diagonal of an open hole that leaves the candidate inside.
 class Legality {
 public:
     /// `minds_turns`: whether new triangles must keep to the hole's normal too.
-    explicit Legality(bool minds_turns) : minds_turns_(minds_turns) {}
+    Legality(const OriginalNormals& original, bool minds_turns) : original_(original), minds_turns_(minds_turns) {}
 
     /// Looks at the hole (laid out). Returns false where no retriangulation at all is legal for topological reasons.
     bool enter(const Surface& surface, const Rows& rows, const Hole& hole);
@@ -46,6 +47,9 @@ private:
     bool folds(const glm::dvec3& p, const glm::dvec3& q) const;
     bool folds_onto_neighbour(const RingTriangle& triangle, int rim) const;
 
+    bool turns_from_original(const RingTriangle& triangle) const;
+
+    const OriginalNormals& original_;
     bool minds_turns_;
     const Hole* hole_ = nullptr;
     glm::dvec3 normal_{0};          // of the hole, of unit length

@@ -99,6 +99,13 @@ void ReductionRun::set_bounds(const std::vector<ResolvedBound>& bounds) {
     rows_ = std::move(rows);
 }
 
+/// Before anything is removed.
+void ReductionRun::look_at_original() {
+    if (normals_) return;
+    normals_ = std::make_unique<OriginalNormals>(surface_, *rows_);
+    turned_before_ = normals_->count_turned(surface_, *rows_);
+}
+
 /// The sweeps, but for those whose limits lie within bounds that were reached before: they would find nothing.
 std::vector<double> ReductionRun::limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const {
     std::vector<double> limits;
@@ -114,16 +121,19 @@ std::vector<double> ReductionRun::limits_of_sweeps(const std::vector<ResolvedBou
 void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction,
                                     const ProgressSpan& span, LevelLink* link) {
     set_bounds(bounds);
+    look_at_original();
     if (!ticker_.ask()) return;
     const std::vector<char> candidate = find_candidates(mesh_, surface_, options_);
     const std::unique_ptr<LinkedTracking> linked = link ? link_from_here(bounds) : nullptr;
     Sweeper sweeper(surface_, *rows_, linked ? static_cast<Accounting&>(*linked) : *accounting_, candidate, team_,
-                    piercing_.get());
+                    {*normals_, piercing_.get()});
     const double swept = span.start + sweeping_share * (span.end - span.start);
     const std::vector<double> limits = limits_of_sweeps(bounds);
     reached_ = bounds;
     if (!sweeper.sweep(limits, ticker_, span.start, swept)) return;
     count_refusals(surface_, sweeper, candidate, reduction.report);
+    reduction.report.turned_before = turned_before_;
+    reduction.report.turned_after = normals_->count_turned(surface_, *rows_);
     report_everything(reduction, linked.get(), link);
 }
 

@@ -7,6 +7,7 @@
 #include "linked_tracking.hpp"
 #include "meshbound/level_link.hpp"
 #include "meshbound/reduce.hpp"
+#include "original_normals.hpp"
 #include "piercing.hpp"
 #include "rows.hpp"
 #include "small_parts.hpp"
@@ -38,6 +39,7 @@ private:
     void orient_surface();
     void drop_small_parts(double bound);
     Mesh oriented_shape() const;
+    void look_at_original();
     void set_bounds(const std::vector<ResolvedBound>& bounds);
     std::unique_ptr<LinkedTracking> link_from_here(std::vector<ResolvedBound> bounds) const;
     std::vector<double> limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const;
@@ -57,6 +59,8 @@ private:
     std::size_t non_manifold_vertices_ = 0;
     std::unique_ptr<Rows> rows_;
     std::unique_ptr<Accounting> accounting_;
+    std::unique_ptr<OriginalNormals> normals_;
+    std::size_t turned_before_ = 0;
     std::unique_ptr<Piercing> piercing_; // where piercing is refused
     std::vector<ResolvedBound> reached_; // the bounds of the last call; empty before the first
 };

@@ -2,9 +2,9 @@
 
 namespace meshbound {
 
-Removal::Removal(Surface& surface, const Rows& rows, Accounting& accounting, Piercing* piercing)
-    : surface_(surface), rows_(rows), accounting_(accounting.removals()), piercing_(piercing),
-      legality_(accounting_->minds_turns()) {}
+Removal::Removal(Surface& surface, const Rows& rows, Accounting& accounting, const Guards& guards)
+    : surface_(surface), rows_(rows), accounting_(accounting.removals()), piercing_(guards.piercing),
+      legality_(guards.normals, accounting_->minds_turns()) {}
 
 Verdict Removal::attempt(std::uint32_t candidate, double squared_limit, Effort effort) {
     gather_star(surface_, candidate, hole_);

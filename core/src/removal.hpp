@@ -8,6 +8,7 @@
 #include "hole.hpp"
 #include "layout.hpp"
 #include "legality.hpp"
+#include "original_normals.hpp"
 #include "piercing.hpp"
 #include "retriangulation.hpp"
 #include "rows.hpp"
@@ -30,11 +31,16 @@ struct Verdict {
     std::size_t variable = 0; ///< and in this variable
 };
 
+/// What of the surface's shape is looked at besides the hole (§3.2.3).
+struct Guards {
+    const OriginalNormals& normals;
+    Piercing* piercing = nullptr; ///< where piercing is refused
+};
+
 /// One removal, start to end (§3.1): star, layout, retriangulation, mapping, measurement, and acceptance or nothing.
 class Removal {
 public:
-    /// `piercing`, where given: refuses what it says would pierce.
-    Removal(Surface& surface, const Rows& rows, Accounting& accounting, Piercing* piercing);
+    Removal(Surface& surface, const Rows& rows, Accounting& accounting, const Guards& guards);
 
     /// How hard to look for a retriangulation that stays within the limit.
     enum class Effort {

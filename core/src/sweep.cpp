@@ -34,11 +34,11 @@ int depth_of_cut(std::size_t vertices, std::size_t in_patch) {
 } // namespace
 
 Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate, Team& team,
-                 Piercing* piercing)
-    : surface_(surface), rows_(rows), accounting_(accounting), team_(team), piercing_(piercing),
+                 const Guards& guards)
+    : surface_(surface), rows_(rows), accounting_(accounting), team_(team), guards_(guards),
       candidate_(std::move(candidate)), queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1),
       touched_(candidate_.size(), 0), verdicts_(candidate_.size()) {
-    removals_.push_back(std::make_unique<Removal>(surface, rows, accounting, piercing));
+    removals_.push_back(std::make_unique<Removal>(surface, rows, accounting, guards));
 }
 
 bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker, double start, double end) {
@@ -60,7 +60,7 @@ bool Sweeper::sweep_once(const Sweep& sweep) {
     next_whole_ = false;
     while (!queue_.empty()) {
         ++round_;
-        if (piercing_) piercing_->tidy();
+        if (guards_.piercing) guards_.piercing->tidy();
         const Queue round = std::exchange(queue_, {});
         const bool whole = next_whole_ || round.size() < cutting(sweep.effort).least;
         if (!(whole ? take_whole(sweep, round) : take_in_patches(sweep, round))) return false;
@@ -189,7 +189,7 @@ bool Sweeper::tick(const Sweep& sweep, std::size_t member) {
 void Sweeper::gather_team() {
     team_.gather();
     while (removals_.size() < team_.size())
-        removals_.push_back(std::make_unique<Removal>(surface_, rows_, accounting_, piercing_));
+        removals_.push_back(std::make_unique<Removal>(surface_, rows_, accounting_, guards_));
 }
 
 } // namespace meshbound

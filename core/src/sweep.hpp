@@ -22,9 +22,9 @@ namespace meshbound {
 /// number of threads.
 class Sweeper {
 public:
-    /// `candidate[v]`: whether vertex v may go at all. `piercing`, where given: refuses what would pierce.
+    /// `candidate[v]`: whether vertex v may go at all.
     Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate, Team& team,
-            Piercing* piercing);
+            const Guards& guards);
 
     /// Sweeps with each limit (fractions of the bounds, rising), which takes the progress from `start` to `end`. False when
     /// the ticker cancelled.
@@ -64,7 +64,7 @@ private:
     const Rows& rows_;
     Accounting& accounting_;
     Team& team_; // gathered for the first large round
-    Piercing* piercing_;
+    Guards guards_;
     std::vector<std::unique_ptr<Removal>> removals_; // by member of the team
     std::vector<char> candidate_;
     std::vector<char> queued_;

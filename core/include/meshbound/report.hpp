@@ -46,6 +46,10 @@ struct Report {
     Oddities oddities;
     DroppedParts dropped;
     std::size_t non_manifold_vertices = 0; ///< fixed because of non-manifold edges or bow-ties
+    /// Triangles that turn more than a right angle against the surface that they stand for: against the original's normal at
+    /// one of their corners, which is the sum of the area vectors of the original's triangles there. None turns farther at a
+    /// corner than some triangle of the original does. Not counted where the reduction was cancelled.
+    std::size_t turned_before = 0, turned_after = 0;
     /// Tracked errors only: into how many cells the map cuts the original (figure 5), and how many of them it turns over
     /// (see Segmentation). Folds of the map are no folds of the surface; they matter to morphing.
     std::size_t cells = 0, folded_cells = 0;

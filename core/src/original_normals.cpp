@@ -1,0 +1,57 @@
+#include "original_normals.hpp"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+namespace meshbound {
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+/// Calls `visit` with the corners of each triangle and its area vector.
+template <class Visit>
+void for_each_triangle(const Surface& surface, const Rows& rows, Visit visit) {
+    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
+        if (!surface.alive(slot)) continue;
+        const Corners corners = {surface.origin(3 * slot), surface.origin(3 * slot + 1), surface.origin(3 * slot + 2)};
+        const glm::dvec3 first = rows.position(corners[0]);
+        visit(corners, glm::cross(rows.position(corners[1]) - first, rows.position(corners[2]) - first));
+    }
+}
+
+} // namespace
+
+OriginalNormals::OriginalNormals(const Surface& surface, const Rows& rows)
+    : normals_(surface.vertex_count(), glm::dvec3(0)), least_(surface.vertex_count(), 0) {
+    for_each_triangle(surface, rows, [&](const Corners& corners, const glm::dvec3& vector) {
+        for (const std::uint32_t corner : corners) normals_[corner] += vector;
+    });
+    for (glm::dvec3& normal : normals_)
+        if (const double length = glm::length(normal); length > 0) normal /= length;
+    for_each_triangle(surface, rows, [&](const Corners& corners, const glm::dvec3& vector) {
+        const glm::dvec3 mean = sum(corners);
+        const double product = glm::dot(mean, vector);
+        if (!(product < 0)) return;
+        const double cosine = product / (glm::length(mean) * glm::length(vector));
+        for (const std::uint32_t corner : corners) least_[corner] = std::min(least_[corner], cosine);
+    });
+}
+
+bool OriginalNormals::turns(const Corners& corners, const glm::dvec3& normal, double length) const {
+    const glm::dvec3 mean = sum(corners);
+    const double product = glm::dot(mean, normal);
+    if (!(product < 0)) return false; // as almost always; then no root is needed
+    const double least = std::min({least_[corners[0]], least_[corners[1]], least_[corners[2]]});
+    return product < least * glm::length(mean) * length;
+}
+
+std::size_t OriginalNormals::count_turned(const Surface& surface, const Rows& rows) const {
+    std::size_t count = 0;
+    for_each_triangle(surface, rows, [&](const Corners& corners, const glm::dvec3& vector) {
+        count += glm::dot(sum(corners), vector) < 0;
+    });
+    return count;
+}
+
+} // namespace meshbound

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "rows.hpp"
+#include "surface.hpp"
+
+namespace meshbound {
+
+/// Where the original faces, at its vertices and between them. A reduced triangle stands for the original between three of
+/// its vertices. It turns more than a right angle against it where its own normal does so against the mean of the original's
+/// normals at these, each of which is the area-weighted mean of those of the triangles there.
+class OriginalNormals {
+public:
+    /// The surface is the original still.
+    OriginalNormals(const Surface& surface, const Rows& rows);
+
+    /// Whether a triangle between vertices of the original turns more than a right angle against it, and more than any
+    /// triangle that the original has at them. `normal` has the length `length`.
+    bool turns(const std::array<std::uint32_t, 3>& corners, const glm::dvec3& normal, double length) const;
+
+    /// How many triangles of a surface over the same vertices turn more than a right angle.
+    std::size_t count_turned(const Surface& surface, const Rows& rows) const;
+
+private:
+    glm::dvec3 sum(const std::array<std::uint32_t, 3>& corners) const {
+        return normals_[corners[0]] + normals_[corners[1]] + normals_[corners[2]];
+    }
+
+    std::vector<glm::dvec3> normals_; // by vertex, of unit length; zero where the original faces nowhere
+    std::vector<double> least_;       // by vertex: the least cosine by which a triangle there turns, or 0
+};
+
+} // namespace meshbound
