@@ -12,6 +12,7 @@ import {
 } from '../colour/field.ts';
 import type { Labels } from '../formats/surface.ts';
 import type { OpenSurface } from '../session/session.ts';
+import { english } from '../words/english.ts';
 import { valueText } from './number-text.ts';
 import type { Quantity, ViewSettings } from './view-settings.ts';
 
@@ -56,7 +57,7 @@ export function valueColouring(mesh: Mesh, { mesh: original, labels }: OpenSurfa
       map: settings.colormap,
       range,
       beyond: { below: whole.lowest < range.lowest, above: whole.highest > range.highest },
-      ends: [`min ${valueText(whole.lowest, 4)}`, `max ${valueText(whole.highest, 4)}`],
+      ends: [english.legend.lowest(valueText(whole.lowest, 4)), english.legend.highest(valueText(whole.highest, 4))],
       bounded: false,
       free: false,
     },

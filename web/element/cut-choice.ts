@@ -3,6 +3,7 @@ import { live } from 'lit/directives/live.js';
 import type { OpenSurface } from '../session/session.ts';
 import { type ComponentSpan, spanOf } from '../surface/value-span.ts';
 import { axes, type ClipPlane, clipText, parseClip } from '../viewer/look.ts';
+import { english } from '../words/english.ts';
 import { controlsStyle } from './controls-style.ts';
 
 /** Steps of the slider: about as fine as one can see. */
@@ -65,23 +66,23 @@ export class CutChoice extends LitElement {
     const kept = plane && clipText(plane).slice(0, 3);
     return html`
       <label>
-        Cut at
+        ${english.view.cut}
         <input
           type="text"
           placeholder="x < 0.5"
-          title="A plane: x < 0.5 keeps what is below, z > 2 what is above; empty, all"
+          title=${english.view.cutHint}
           .value=${this.clip}
           @change=${this.#typed}
         />
       </label>
-      <select aria-label="What the cut keeps" ?disabled=${!this.surface} @change=${this.#choose}>
-        <option value="" .selected=${live(!kept)}>all</option>
+      <select aria-label=${english.view.cutKeeps} ?disabled=${!this.surface} @change=${this.#choose}>
+        <option value="" .selected=${live(!kept)}>${english.view.cutKeepsAll}</option>
         ${keptSides.map((side) => html`<option .selected=${live(side === kept)}>${side}</option>`)}
       </select>
       <input
         type="range"
-        aria-label="Place of the cut"
-        aria-valuetext=${this.clip || 'no cut'}
+        aria-label=${english.view.cutPlace}
+        aria-valuetext=${this.clip || english.view.noCut}
         min="0"
         max=${steps}
         ?disabled=${!plane || !this.surface}

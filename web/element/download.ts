@@ -7,6 +7,7 @@ import { lossesOf, writeLevels, writeSurface } from '../formats/write.ts';
 import { asBounds } from '../session/bound-setting.ts';
 import { reportJson } from '../session/report-json.ts';
 import type { OpenSurface, Reduced } from '../session/session.ts';
+import { english } from '../words/english.ts';
 import { savedFileName } from './file-name.ts';
 
 /** What can be saved of a reduction: the surface in each format, the report, the original with the map, all levels of detail. */
@@ -48,7 +49,7 @@ function reportOf({ result, bounds, method }: Reduced): string {
 
 /** As one GLB file, which holds all of them. */
 async function levelsFile({ name, labels }: OpenSurface, levels: Levels | null): Promise<Saved> {
-  if (!levels) throw new Error('There are no levels of detail.');
+  if (!levels) throw new Error(english.faults.noLevels);
   const content = await writeLevels(levels, labels);
   const losses = await lossesOf('glb', levels.levels[0].mesh, labels);
   return { name: savedFileName(name, 'levels', 'glb'), content, losses };
@@ -56,9 +57,9 @@ async function levelsFile({ name, labels }: OpenSurface, levels: Levels | null):
 
 /** As VTP, which holds doubles, and which the programs of the field read. */
 async function mapFile({ name, mesh, labels }: OpenSurface, { result }: Reduced): Promise<Saved> {
-  if (!result.map) throw new Error('There is no map: only tracked errors make one.');
+  if (!result.map) throw new Error(english.faults.noMap);
   const taken = takenMapNames(mesh);
-  if (taken.length > 0) throw new Error(`The map needs the names of the variables ${listed(taken)} for itself.`);
+  if (taken.length > 0) throw new Error(english.faults.namesTaken(listed(taken)));
   const content = await writeSurface('vtp', withMap(mesh, result), labelsWithMap(labels));
   return { name: savedFileName(name, 'map', 'vtp'), content, losses: [] };
 }

@@ -8,12 +8,13 @@ import {
   vertexPlaces,
 } from '../colour/error-places.ts';
 import type { Labels } from '../formats/surface.ts';
+import { english } from '../words/english.ts';
 import type { Colouring, Meaning } from './colouring.ts';
 import { isFree, isMeasured } from './promise-words.ts';
 import type { ViewSettings } from './view-settings.ts';
 
 /** What the legend of an original says that keeps its values where errors are looked at. */
-export const unknownErrors = 'values: errors at its vertices are known only when tracked';
+export const unknownErrors = english.legend.unknownErrors;
 
 /**
  * The errors of the chosen variable on the original surface: that of every vertex, to be interpolated. Null where they are
@@ -29,7 +30,7 @@ export function originalErrors(
   if (!errors) return null;
   const { placeOf, meaning } = scaleOf(reduction, labels, settings);
   const shown = settings.quantity === 'signed-error' ? errors.signedError : errors.error;
-  const detail = `true error at each vertex${signNote(reduction, settings)}`;
+  const detail = `${english.legend.atVertices}${signNote(reduction, settings)}`;
   return { places: vertexPlaces(shown, triangles, placeOf), meaning: { ...meaning, detail } };
 }
 
@@ -38,7 +39,7 @@ export function reducedErrors(reduction: Reduction, labels: Labels, settings: Vi
   const { largest, lowest, highest } = reduction.triangleErrors[chosenIndex(reduction, settings)];
   const { placeOf, meaning } = scaleOf(reduction, labels, settings);
   const shown = settings.quantity === 'signed-error' ? largerInSize(lowest, highest) : largest;
-  const which = isMeasured(reduction) ? 'largest error in each triangle' : 'upper limit of the error in each triangle';
+  const which = isMeasured(reduction) ? english.legend.inTriangles : english.legend.limitInTriangles;
   return {
     places: flatPlaces(shown, placeOf),
     meaning: { ...meaning, detail: `${which}${signNote(reduction, settings)}` },
@@ -72,7 +73,7 @@ function shareScale(reduction: Reduction, settings: ViewSettings): Scale {
     placeOf: placeByShare(variable.bound),
     meaning: {
       quantity: 'error',
-      title: `error / bound: ${variable.name}${free ? ' (free: no bound)' : ''}`,
+      title: english.legend.share(variable.name, free),
       unit: undefined,
       map: 'share',
       range: { lowest: 0, highest: 1 },
@@ -90,16 +91,16 @@ function signScale(reduction: Reduction, labels: Labels, settings: ViewSettings)
   const bounded = !isFree(variable) && !isDiagnostic(reduction, settings);
   const largest = isDiagnostic(reduction, settings) ? largestSize(reduction.triangleErrors[index]) : variable.error;
   const reach = bounded ? variable.bound : largest;
-  const end = bounded ? 'bound' : 'largest';
+  const { lowestBound, highestBound, lowestError, highestError } = english.legend;
   return {
     placeOf: placeBySign(reach),
     meaning: {
       quantity: 'signed-error',
-      title: `signed error: ${variable.name}`,
+      title: english.legend.signed(variable.name),
       unit: labels.units[variable.name],
       map: 'RdBu',
       range: { lowest: -reach, highest: reach },
-      ends: [`\u2212${end}`, `+${end}`],
+      ends: bounded ? [lowestBound, highestBound] : [lowestError, highestError],
       bounded,
       free: false,
     },
@@ -118,7 +119,6 @@ function largestSize({ lowest, highest }: TriangleErrors): number {
 /** What the sign of an error means. */
 function signNote(reduction: Reduction, settings: ViewSettings): string {
   if (settings.quantity !== 'signed-error') return '';
-  if (settings.variable !== 'position') return '; original\u00a0\u2212\u00a0reduced';
-  const along = isDiagnostic(reduction, settings) ? 'summed along the normals' : 'along the normal';
-  return `; ${along}, + where the reduced surface is outside`;
+  if (settings.variable !== 'position') return english.legend.difference;
+  return isDiagnostic(reduction, settings) ? english.legend.summedAlongNormals : english.legend.alongNormal;
 }

@@ -5,6 +5,7 @@ import {
   type Colour,
   missingColour,
 } from '../colour/colormaps.ts';
+import { english } from '../words/english.ts';
 import type { Meaning } from './colouring.ts';
 
 /** What stands under the numbers of a legend; with a colour where that colour is none of the map's. */
@@ -18,8 +19,10 @@ export function legendEnds({ ends, bounded, free, beyond }: Meaning): LegendEnd[
   const [lowest, highest] = ends ?? [];
   return [
     ...(lowest === undefined ? [] : [{ text: lowest, ...(beyond?.below ? { colour: belowRangeColour } : {}) }]),
-    ...(bounded ? [{ text: ends ? 'beyond: never' : 'above 1: never', colour: aboveBoundColour }] : []),
-    ...(free ? [{ text: 'no bound', colour: missingColour }] : []),
+    ...(bounded
+      ? [{ text: ends ? english.legend.beyondNever : english.legend.aboveOneNever, colour: aboveBoundColour }]
+      : []),
+    ...(free ? [{ text: english.legend.noBound, colour: missingColour }] : []),
     ...(highest === undefined ? [] : [{ text: highest, ...(beyond?.above ? { colour: aboveRangeColour } : {}) }]),
   ];
 }

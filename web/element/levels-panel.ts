@@ -1,5 +1,6 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { type LevelState, mostLevels } from '../session/level-session.ts';
+import { english } from '../words/english.ts';
 import { controlsStyle } from './controls-style.ts';
 import { countText } from './number-text.ts';
 
@@ -82,13 +83,13 @@ export class LevelsPanel extends LitElement {
     const { count, nested, progress, position } = this.levels;
     return html`
       <label>
-        Levels of detail
+        ${english.levels.title}
         <select ?disabled=${this.disabled} @change=${this.#countChanged}>
-          ${counts.map((each) => html`<option value=${each} ?selected=${each === count}>${each || 'none'}</option>`)}
+          ${counts.map((each) => html`<option value=${each} ?selected=${each === count}>${each || english.levels.none}</option>`)}
         </select>
       </label>
       ${count > 0 ? this.#slider(count, position, nested === null) : nothing}
-      <span class="now soft">${progress === null ? this.#now() : `Making levels: ${Math.floor(100 * progress)} %`}</span>
+      <span class="now soft">${progress === null ? this.#now() : english.levels.making(Math.floor(100 * progress))}</span>
     `;
   }
 
@@ -96,7 +97,7 @@ export class LevelsPanel extends LitElement {
     return html`${this.#choice(waiting)}<div class="slider">
       <input
         type="range"
-        aria-label="Position among levels"
+        aria-label=${english.levels.position}
         aria-valuetext=${this.#now()}
         min="0"
         max=${count}
@@ -112,42 +113,41 @@ export class LevelsPanel extends LitElement {
   #choice(waiting: boolean) {
     const { pixels } = this.levels;
     const options = pixelChoices.map(
-      (each) => html`<option value=${each} ?selected=${each === pixels}>error ≤ ${each} px</option>`,
+      (each) => html`<option value=${each} ?selected=${each === pixels}>${english.levels.pixels(each)}</option>`,
     );
     return html`<select
-      aria-label="Which level"
-      title="By hand, or the coarsest whose error in space spans no more on screen"
+      aria-label=${english.levels.choice}
+      title=${english.levels.choiceHint}
       ?disabled=${waiting}
       @change=${this.#choiceChanged}
     >
-      <option value="" ?selected=${pixels === null}>by hand</option>
+      <option value="" ?selected=${pixels === null}>${english.levels.byHand}</option>
       ${options}
     </select>`;
   }
 
   #mark(level: number, waiting: boolean) {
-    const name = level === 0 ? 'Original' : `Level ${level}`;
+    const name = level === 0 ? english.levels.original : english.levels.level(level);
     return html`<button ?disabled=${waiting} title=${name} aria-label=${name} @click=${() => this.#move(level)}>
-      ${level === 0 ? 'O' : level}
+      ${level === 0 ? english.levels.originalSign : level}
     </button>`;
   }
 
   /** What is shown, in words. */
   #now(): string {
     const { nested, position } = this.levels;
-    if (!nested) return this.levels.count > 0 ? '' : 'Coarser and coarser, with a smooth way from one to the next';
+    if (!nested) return this.levels.count > 0 ? '' : english.levels.what;
     const from = Math.floor(position);
-    if (position === from && from === 0) return 'The original';
-    if (position === from) return `Level ${from}: ${this.#triangles(from)}, bounds × ${2 ** (from - 1)}`;
+    if (position === from && from === 0) return english.levels.theOriginal;
+    if (position === from) return english.levels.at(from, this.#triangles(from), 2 ** (from - 1));
     const percent = Math.round(100 * (position - from));
-    const start = from === 0 ? 'the original' : `level ${from}`;
-    const count = nested.morphs[from] ? `, ${countText(nested.morphs[from].triangles.length / 3)} pieces` : '';
-    return `${percent} % from ${start} to level ${from + 1}${count}`;
+    const pieces = nested.morphs[from] ? countText(nested.morphs[from].triangles.length / 3) : null;
+    return english.levels.between(percent, from, pieces);
   }
 
   #triangles(level: number): string {
     const count = this.levels.nested?.levels[level - 1].report.triangles.after ?? 0;
-    return `${countText(count)} triangles`;
+    return countText(count);
   }
 
   #countChanged = ({ target }: Event): void => {

@@ -27,6 +27,7 @@ import './stage.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import { tokens } from './tokens.ts';
 import './view-controls.ts';
+import { english } from '../words/english.ts';
 import {
   firstView,
   type Quantity,
@@ -443,7 +444,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
    */
   reduce(): Promise<Report> {
     const { state } = this.session;
-    if (!state.surface) return Promise.reject(new Error('No surface is open.'));
+    if (!state.surface) return Promise.reject(new Error(english.faults.noSurface));
     this.session.reduceAgain();
     return this.#outcome();
   }
@@ -494,7 +495,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
   /** What is seen as a PNG, with the legends or without. Rejects where nothing can be drawn. */
   async toBlob({ legends = true }: { legends?: boolean } = {}): Promise<Blob> {
     const blob = await this.#stage?.picture({ legends });
-    if (!blob) throw new Error('There is no picture: nothing can be drawn.');
+    if (!blob) throw new Error(english.faults.noPicture);
     return blob;
   }
 
@@ -596,10 +597,10 @@ export class MeshboundViewer extends LitElement implements WantedView {
     const fraction = surface ? largestFraction(bounds) : 0;
     return html`<div class="controls" part="controls">
       <label class="all">
-        <span class="soft">Bounds</span>
+        <span class="soft">${english.bounds.title}</span>
         <meshbound-bound-slider
-          label="All bounds"
-          spoken="largest ${percentText(fraction)}"
+          label=${english.bounds.allBounds}
+          spoken=${english.bounds.largest(percentText(fraction))}
           .fraction=${fraction}
           ?disabled=${!surface}
           @bound-input=${({ detail }: CustomEvent<number>) => this.session.setAllBounds(detail)}
@@ -679,9 +680,9 @@ export class MeshboundViewer extends LitElement implements WantedView {
         if (progress !== null) return;
         this.session.removeEventListener('change', listen);
         const fault = notices.findLast(({ ofReduction }) => ofReduction)?.text;
-        if (cancelled) reject(new DOMException('The reduction was aborted.', 'AbortError'));
+        if (cancelled) reject(new DOMException(english.faults.aborted, 'AbortError'));
         else if (this.report && this.reduction !== before) resolve(this.report);
-        else reject(new Error(fault ?? 'The reduction failed.'));
+        else reject(new Error(fault ?? english.faults.failed));
       };
       this.session.addEventListener('change', listen);
     });

@@ -1,6 +1,7 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
 import type { Notice } from '../session/session.ts';
+import { english } from '../words/english.ts';
 import { controlsStyle } from './controls-style.ts';
 
 /**
@@ -54,7 +55,7 @@ export class Notices extends LitElement {
       ) => html`<div part="notice" class="notice ${notice.kind}" role=${notice.kind === 'error' ? 'alert' : 'status'}>
         <p>${notice.text}</p>
         ${notice.remedy ? html`<button @click=${notice.remedy.take}>${notice.remedy.label}</button>` : nothing}
-        <button @click=${() => this.#dismiss(notice.id)}>Dismiss</button>
+        <button @click=${() => this.#dismiss(notice.id)}>${english.notices.dismiss}</button>
       </div>`,
     );
   }

@@ -11,11 +11,6 @@ export function countText(count: number): string {
   return counts.format(count).replaceAll(',', groupSpace);
 }
 
-/** The noun to a count of triangles. */
-export function trianglesText(count: number): string {
-  return count === 1 ? 'triangle' : 'triangles';
-}
-
 /** Beyond these a value is written with a power of ten. */
 const largestPlain = 1e6;
 const smallestPlain = 1e-3;

@@ -2,6 +2,7 @@ import { css, html, LitElement, nothing } from 'lit';
 import type { Labels } from '../formats/surface.ts';
 import type { ProbedVariable } from '../probe/probe.ts';
 import { nothingProbed, type ProbeState } from '../session/probing.ts';
+import { english } from '../words/english.ts';
 import { controlsStyle } from './controls-style.ts';
 import { placeErrorText, usedShareText, valueText } from './number-text.ts';
 
@@ -129,11 +130,11 @@ export class ProbeCard extends LitElement {
       <table>
         <thead class="soft">
           <tr>
-            <th scope="col">${pinned ? this.#unpin() : 'Click to pin'}</th>
-            <th scope="col">original</th>
-            <th scope="col">reduced</th>
-            <th scope="col">error${this.#isLimit ? '\u00a0\u2264' : ''}</th>
-            <th scope="col">of bound</th>
+            <th scope="col">${pinned ? this.#unpin() : english.probe.pin}</th>
+            <th scope="col">${english.probe.original}</th>
+            <th scope="col">${english.probe.reduced}</th>
+            <th scope="col">${english.probe.error}${this.#isLimit ? '\u00a0\u2264' : ''}</th>
+            <th scope="col">${english.probe.ofBound}</th>
           </tr>
         </thead>
         <tbody>${probe.variables.map((variable) => this.#row(variable))}</tbody>
@@ -143,8 +144,8 @@ export class ProbeCard extends LitElement {
   }
 
   #unpin() {
-    return html`Pinned
-      <button title="Let go (Esc)" @click=${() => this.dispatchEvent(new CustomEvent('unpin'))}>Unpin</button>`;
+    return html`${english.probe.pinned}
+      <button title=${english.probe.letGo} @click=${() => this.dispatchEvent(new CustomEvent('unpin'))}>${english.probe.unpin}</button>`;
   }
 
   /** Without the place on the original only the limit of a whole triangle is known. */
@@ -165,7 +166,7 @@ export class ProbeCard extends LitElement {
       <td>${this.#values(variable.reduced)}</td>
       <td>${known && error !== null ? placeErrorText(error, ratio) : this.#unknown}</td>
       <td class="share" .style=${`--share:${known ? Math.min(1, ratio ?? 0) : 0}`}>
-        ${free ? 'free' : known && ratio !== null ? usedShareText(ratio) : this.#unknown}
+        ${free ? english.probe.free : known && ratio !== null ? usedShareText(ratio) : this.#unknown}
       </td>
     </tr>`;
   }
@@ -173,7 +174,7 @@ export class ProbeCard extends LitElement {
   #name(name: string) {
     if (!this.state.pinned || this.#hasNoErrors) return name;
     return html`<button
-      title="To where the error of ${name} is largest"
+      title=${english.probe.toWorst(name)}
       @click=${() => this.dispatchEvent(new CustomEvent('worst-wanted', { detail: name }))}
     >
       ${name}
@@ -195,8 +196,8 @@ export class ProbeCard extends LitElement {
   }
 
   #fold(preimages: number) {
-    const which = this.state.probe?.from === 'reduced' ? '; this is the one with the largest error' : '';
-    return html`<div class="soft">${preimages} points of the original are mapped here${which}.</div>`;
+    const isLargest = this.state.probe?.from === 'reduced';
+    return html`<div class="soft">${english.probe.folded(preimages, isLargest)}</div>`;
   }
 }
 

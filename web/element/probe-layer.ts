@@ -6,6 +6,7 @@ import { controlsStyle } from './controls-style.ts';
 import { usedShareText } from './number-text.ts';
 import type { ProbeCard } from './probe-card.ts';
 import './probe-card.ts';
+import { english } from '../words/english.ts';
 import type { Marker } from './stage-probe.ts';
 
 /** Between the card and the edge of the stage, and between it and a marker that it must not hide, in CSS pixels. */
@@ -92,7 +93,7 @@ export class ProbeLayer extends LitElement {
           ? html`<meshbound-probe-card
               part="probe"
               role="group"
-              aria-label="Probe"
+              aria-label=${english.probe.name}
               ?pinned=${pinned}
               .state=${this.state}
               .labels=${this.labels}
@@ -111,9 +112,7 @@ export class ProbeLayer extends LitElement {
     const { probe, pinned, pending } = this.state;
     if (!probe || !pinned || pending) return '';
     const most = largestShare(probe);
-    return most
-      ? `Pinned. Largest error: ${most.name}, ${usedShareText(most.ratio ?? 0)} of its bound.`
-      : 'Pinned. No error is known here.';
+    return most ? english.probe.largest(most.name, usedShareText(most.ratio ?? 0)) : english.probe.unknown;
   }
 
   override async updated(): Promise<void> {

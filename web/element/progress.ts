@@ -1,4 +1,5 @@
 import type { Opening, SessionState } from '../session/session.ts';
+import { english } from '../words/english.ts';
 
 /** What a viewer does from an address to a picture, in this order, and about how long each takes of it all. */
 const shares = { download: 0.25, read: 0.15, check: 0.05, reduce: 0.5, draw: 0.05 };
@@ -28,9 +29,8 @@ export function overall({ phase, progress }: Step, first: Phase): number {
   return Math.max(0, (upTo(phase) + progress * shares[phase] - begin) / (1 - begin));
 }
 
-const verbs: Record<Opening['phase'], string> = { download: 'Downloading', read: 'Reading', check: 'Checking' };
-
 /** "Downloading wing.vtp… 40 %" */
 export function openingText({ name, phase, progress }: Opening): string {
-  return `${verbs[phase]} ${name}…${progress > 0 ? ` ${Math.round(100 * progress)}\u00a0%` : ''}`;
+  const { phases, percent } = english.progress;
+  return `${phases[phase]} ${name}…${progress > 0 ? percent(Math.round(100 * progress)) : ''}`;
 }

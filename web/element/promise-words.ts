@@ -1,6 +1,9 @@
 import type { Reduction, Report, VariableExtent, VariableReport } from '../../wasm/index.ts';
 import { sizeOf } from '../session/bound-setting.ts';
-import { countText, lowerPercentText, trianglesText, upperPercentText, upperText } from './number-text.ts';
+import { english } from '../words/english.ts';
+import { countText, lowerPercentText, upperPercentText, upperText } from './number-text.ts';
+
+const words = english.promise;
 
 /** A bound or an error of a variable as a percentage; in its unit where there is nothing to take a percentage of. */
 function shareText(value: number, variable: VariableExtent): string {
@@ -24,12 +27,13 @@ export function isMeasured({ vertexErrors }: Reduction): boolean {
  * @param measured whether the errors were measured; otherwise they are limits, and the sentence says so
  */
 export function promiseSentence({ triangles, variables }: Report, measured: boolean): string {
-  const counted = `${countText(triangles.after)} of ${countText(triangles.before)} ${trianglesText(triangles.before)}.`;
+  const [after, before] = [countText(triangles.after), countText(triangles.before)];
+  const counted = words.counted(after, before, english.triangles(triangles.before));
   const bounded = variables.filter((variable) => !isFree(variable));
   const free = variables.filter(isFree).map(placeName);
-  const freed = free.length > 0 ? ` Free, so nothing promised: ${listed(free)}.` : '';
+  const freed = free.length > 0 ? ` ${words.free(free)}` : '';
   if (bounded.length === 0) return `${counted}${freed}`;
-  return `${counted} Every point within ${boundsPhrase(bounded)}: proved; ${mostUsed(bounded, measured)}.${freed}`;
+  return `${counted} ${words.proved(boundsPhrase(bounded), mostUsed(bounded, measured))}${freed}`;
 }
 
 /** "1 % in space, 3 % in pressure and density": variables with the same bound stand together, in their order. */
@@ -39,14 +43,14 @@ function boundsPhrase(bounded: VariableReport[]): string {
     const bound = shareText(variable.bound, variable);
     together.set(bound, [...(together.get(bound) ?? []), placeName(variable)]);
   }
-  return [...together].map(([bound, names]) => `${bound} in ${listed(names)}`).join(', ');
+  return [...together].map(([bound, names]) => words.bound(bound, names)).join(', ');
 }
 
 function mostUsed(bounded: VariableReport[], measured: boolean): string {
   const most = bounded.reduce((best, next) => (next.ratio > best.ratio ? next : best));
-  if (most.ratio === 0) return 'no error at all';
+  if (most.ratio === 0) return words.noError;
   const error = shareText(most.error, most);
-  return `most used: ${placeName(most)}, ${measured ? '' : 'at most '}${error} (${lowerPercentText(most.ratio)} of its bound)`;
+  return words.mostUsed(placeName(most), measured ? error : words.atMost(error), lowerPercentText(most.ratio));
 }
 
 /** Why vertices that are still there could not go, as a share of them all, 0…1. */
@@ -60,9 +64,9 @@ export interface HeldBack {
 export function heldBackShares({ variables, refused }: Report): HeldBack[] {
   const reasons: [string, number][] = [
     ...variables.map((variable): [string, number] => [placeName(variable), variable.refused]),
-    ['folds', refused.fold],
-    ['topology', refused.topology],
-    ['fixed vertices', refused.fixed],
+    [english.heldBack.folds, refused.fold],
+    [english.heldBack.topology, refused.topology],
+    [english.heldBack.fixed, refused.fixed],
   ];
   const counted = reasons.filter(([, count]) => count > 0).sort(([, a], [, b]) => b - a);
   const all = counted.reduce((sum, [, count]) => sum + count, 0);
@@ -75,10 +79,5 @@ export function roughShareText(share: number): string {
 }
 
 function placeName({ name }: { name: string }): string {
-  return name === 'position' ? 'space' : name;
-}
-
-/** "a", "a and b", "a, b and c" */
-function listed(names: string[]): string {
-  return names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`;
+  return name === 'position' ? words.space : name;
 }

@@ -1,6 +1,7 @@
 import { css, html, LitElement, nothing } from 'lit';
 import type { Report } from '../../wasm/types.ts';
 import type { Opening } from '../session/session.ts';
+import { english } from '../words/english.ts';
 import { controlsStyle } from './controls-style.ts';
 import { percentText, secondsText } from './number-text.ts';
 import { openingText } from './progress.ts';
@@ -123,22 +124,22 @@ export class ResultBar extends LitElement {
   #numbers() {
     if (this.opening) return html`<span>${openingText(this.opening)}</span>${this.#cancelButton()}`;
     if (this.progress !== null) {
-      return html`<span>Reducing… ${Math.round(100 * this.progress)}&nbsp;%</span>
+      return html`<span>${english.progress.reducing(Math.round(100 * this.progress))}</span>
         ${this.#cancelButton()}`;
     }
     if (this.cancelled) {
-      const kept = this.report ? 'The result shown, and saved, is the one before.' : '';
-      return html`<span title=${kept}>Cancelled</span>
-        <button @click=${() => this.#fire('reduce-again')}>Reduce</button>`;
+      const kept = this.report ? english.progress.keptBefore : '';
+      return html`<span title=${kept}>${english.progress.cancelled}</span>
+        <button @click=${() => this.#fire('reduce-again')}>${english.progress.reduce}</button>`;
     }
     if (!this.report) return nothing;
     const { triangles, seconds } = this.report;
     const removed = 1 - triangles.after / triangles.before;
-    return html`<span>${percentText(removed)} removed in ${secondsText(seconds)}</span>`;
+    return html`<span>${english.progress.removed(percentText(removed), secondsText(seconds))}</span>`;
   }
 
   #cancelButton() {
-    return html`<button class="cancel" @click=${() => this.#fire('cancel')}>Cancel</button>`;
+    return html`<button class="cancel" @click=${() => this.#fire('cancel')}>${english.progress.cancel}</button>`;
   }
 
   #fire(event: string): void {

@@ -25,8 +25,9 @@ import { originalErrors, reducedErrors, unknownErrors } from './error-colouring.
 import './legend.ts';
 import { drawLegend } from './legend-picture.ts';
 import type { LevelStep, LevelView, MorphStep } from './level-view.ts';
-import { countText, trianglesText } from './number-text.ts';
+import { countText } from './number-text.ts';
 import './probe-layer.ts';
+import { english } from '../words/english.ts';
 import type { ProbeLayer } from './probe-layer.ts';
 import { type ProbedStage, StageProbe } from './stage-probe.ts';
 import { firstView, type ViewSettings } from './view-settings.ts';
@@ -233,14 +234,13 @@ export class Stage extends LitElement {
   }
 
   #pane(side: number) {
-    const keys = 'Arrow keys turn, with Shift they move, plus and minus zoom, 0 fits, Enter probes the middle.';
     return html`<div
       class="pane"
       part="pane"
       id=${sides[side]}
       tabindex="0"
       role="application"
-      aria-label="${sides[side]} surface. ${keys}"
+      aria-label="${english.stage.surfaces[sides[side]]}. ${english.stage.keys}"
       @keydown=${(event: KeyboardEvent) => this.#pressKey(side, event)}
       @pointermove=${(event: PointerEvent) => this.#pointing.move(side, event)}
       @pointerleave=${() => this.#pointing.leave()}
@@ -266,11 +266,11 @@ export class Stage extends LitElement {
       part="divider"
       role="slider"
       tabindex="0"
-      aria-label="How much of the stage shows the original"
+      aria-label=${english.stage.divider}
       aria-valuemin="0"
       aria-valuemax="100"
       aria-valuenow=${percent}
-      aria-valuetext="${percent} percent"
+      aria-valuetext=${english.stage.dividerAt(percent)}
       .style=${`left:${100 * this.divider}%`}
       @pointerdown=${(event: PointerEvent) => (event.target as Element).setPointerCapture(event.pointerId)}
       @pointermove=${this.#dragDivider}
@@ -297,18 +297,19 @@ export class Stage extends LitElement {
   }
 
   #originalCaption() {
-    if (!this.surface) return html`<span class="soft">Original</span>`;
+    if (!this.surface) return html`<span class="soft">${english.stage.original}</span>`;
     const count = this.surface.mesh.triangles.length / 3;
-    return html`Original <b>${countText(count)}</b> ${trianglesText(count)}`;
+    return html`${english.stage.original} <b>${countText(count)}</b> ${english.triangles(count)}`;
   }
 
   #reducedCaption() {
-    if (!this.result) return html`<span class="soft">${this.reducing ? 'Reducing…' : 'Not reduced'}</span>`;
+    if (!this.result)
+      return html`<span class="soft">${this.reducing ? english.stage.reducing : english.stage.notReduced}</span>`;
     const step = this.#step();
-    if (step && 'morph' in step) return html`On the way to level <b>${step.from + 1}</b>`;
-    if (step?.level === 0) return html`Original, as level 0`;
+    if (step && 'morph' in step) return html`${english.stage.onTheWay} <b>${step.from + 1}</b>`;
+    if (step?.level === 0) return html`${english.stage.levelZero}`;
     const count = (step?.result ?? this.result).report.triangles.after;
-    return html`${step ? `Level ${step.level}` : 'Reduced'} <b>${countText(count)}</b> ${trianglesText(count)}`;
+    return html`${step ? english.stage.level(step.level) : english.stage.reduced} <b>${countText(count)}</b> ${english.triangles(count)}`;
   }
 
   override firstUpdated(): void {
@@ -340,8 +341,7 @@ export class Stage extends LitElement {
       this.#viewer.addEventListener('draw', () => this.#tellCamera());
       this.#viewer.addEventListener('draw', () => this.#mark());
     } catch {
-      const detail = 'Nothing can be drawn: this browser offers no WebGL 2. Reducing and saving still work.';
-      this.dispatchEvent(new CustomEvent('stage-fault', { detail }));
+      this.dispatchEvent(new CustomEvent('stage-fault', { detail: english.faults.noWebGl }));
     }
   }
 

@@ -8,31 +8,11 @@ import type { OpenSurface } from '../session/session.ts';
 import { viewDirections } from '../viewer/linked-cameras.ts';
 import { controlsStyle } from './controls-style.ts';
 import './cut-choice.ts';
-import {
-  firstView,
-  hasSign,
-  type Quantity,
-  type View,
-  type ViewSettings,
-  views,
-  type WantedView,
-} from './view-settings.ts';
-
-const quantityNames: Record<Quantity, string> = {
-  value: 'values',
-  error: 'error / bound',
-  'signed-error': 'signed error',
-};
+import { english } from '../words/english.ts';
+import { firstView, hasSign, type Quantity, type ViewSettings, views, type WantedView } from './view-settings.ts';
 
 /** The maps that errors always have. */
 const errorMaps: Record<Exclude<Quantity, 'value'>, string> = { error: 'YlOrBr', 'signed-error': 'RdBu' };
-
-const viewNames: Record<View, string> = {
-  split: 'side by side',
-  wipe: 'wipe',
-  original: 'original',
-  reduced: 'reduced',
-};
 
 /** Ranges to choose from, beside those that one types. */
 const offeredRanges = ['data', '1%…99%', '2%…98%', '5%…95%'];
@@ -155,10 +135,10 @@ export class ViewControls extends LitElement {
   #colourControls() {
     const { quantity } = this.settings;
     return html`
-      <label><span class="soft">Colour</span>${this.#variableChoice()}</label>
-      <label><span class="soft">Show</span>${this.#quantityChoice()}</label>
-      <label title=${quantity === 'value' ? '' : 'Errors have colour maps of their own.'}>
-        <span class="soft">Map</span>
+      <label><span class="soft">${english.view.colour}</span>${this.#variableChoice()}</label>
+      <label><span class="soft">${english.view.show}</span>${this.#quantityChoice()}</label>
+      <label title=${quantity === 'value' ? '' : english.view.ownMaps}>
+        <span class="soft">${english.view.map}</span>
         ${quantity === 'value' ? this.#mapChoice() : this.#givenMap(errorMaps[quantity])}
       </label>
     `;
@@ -184,7 +164,7 @@ export class ViewControls extends LitElement {
       class="middle"
       @change=${(event: Event) => this.#change({ show: chosen(event) })}
     >
-      ${Object.entries(quantityNames).map(
+      ${Object.entries(english.view.quantities).map(
         ([name, text]) =>
           html`<option
             value=${name}
@@ -232,35 +212,35 @@ export class ViewControls extends LitElement {
   #viewControls() {
     return html`
       <label>
-        <span class="soft">View</span>
+        <span class="soft">${english.view.view}</span>
         <select class="middle" @change=${(event: Event) => this.#change({ view: chosen(event) })}>
           ${views.map(
             (view) =>
-              html`<option value=${view} .selected=${live(view === this.settings.view)}>${viewNames[view]}</option>`,
+              html`<option value=${view} .selected=${live(view === this.settings.view)}>${english.view.views[view]}</option>`,
           )}
         </select>
       </label>
-      ${this.#tick('Edges', this.settings.edges, (edges) => ({ edges }))}
-      ${this.#tick('One camera', this.settings.linked, (linked) => ({ unlinked: !linked }))}
-      <button popovertarget="more" @click=${this.#place}>More</button>
+      ${this.#tick(english.view.edges, this.settings.edges, (edges) => ({ edges }))}
+      ${this.#tick(english.view.oneCamera, this.settings.linked, (linked) => ({ unlinked: !linked }))}
+      <button popovertarget="more" @click=${this.#place}>${english.view.more}</button>
       <div id="more" popover @toggle=${this.#place}>${this.#moreControls()}</div>
-      <button @click=${() => this.dispatchEvent(new CustomEvent('fit'))}>Fit</button>
+      <button @click=${() => this.dispatchEvent(new CustomEvent('fit'))}>${english.view.fit}</button>
     `;
   }
 
   #moreControls() {
     const { flat, doubleSided, orthographic, range, clip, quantity } = this.settings;
     return html`
-      ${this.#tick('Flat shading', flat, (now) => ({ flat: now }))}
-      ${this.#tick('Both sides of triangles', doubleSided, (both) => ({ cull: !both }))}
-      ${this.#tick('Parallel, no perspective', orthographic, (now) => ({ orthographic: now }))}
+      ${this.#tick(english.view.flat, flat, (now) => ({ flat: now }))}
+      ${this.#tick(english.view.bothSides, doubleSided, (both) => ({ cull: !both }))}
+      ${this.#tick(english.view.parallel, orthographic, (now) => ({ orthographic: now }))}
       <label>
-        Range
+        ${english.view.range}
         <input
           type="text"
           list="ranges"
-          placeholder="data"
-          title="data, percentiles as 2%…98%, or two values as 0…1.5"
+          placeholder=${firstView.range}
+          title=${english.view.rangeHint}
           .value=${range === firstView.range ? '' : range}
           ?disabled=${quantity !== 'value'}
           @change=${this.#typeRange}
@@ -272,10 +252,10 @@ export class ViewControls extends LitElement {
         .clip=${clip}
         @clip-change=${({ detail }: CustomEvent<string | null>) => this.#change({ clip: detail })}
       ></meshbound-cut-choice>
-      <div class="axes" role="group" aria-label="Look along an axis">
+      <div class="axes" role="group" aria-label=${english.view.axes}>
         ${Object.keys(viewDirections).map(
           (direction) => html`<button
-            aria-label="From ${direction}"
+            aria-label=${english.view.from(direction)}
             @click=${() => this.dispatchEvent(new CustomEvent('look-from', { detail: direction }))}
           >
             ${direction.replace('-', '\u2212')}

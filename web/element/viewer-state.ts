@@ -1,3 +1,4 @@
+import { english } from '../words/english.ts';
 /**
  * What can be said of a viewer as attributes, in the order in which they are written. Data are never among them, only the
  * address that they come from.
@@ -63,10 +64,10 @@ export function stateFromJson(text: string): ViewerState {
   try {
     given = JSON.parse(text);
   } catch {
-    throw new Error('This is no state of the viewer: it is not JSON.');
+    throw new Error(english.faults.stateNotJson);
   }
   if (typeof given !== 'object' || given === null || !('meshbound' in given)) {
-    throw new Error('This is no state of the viewer: “meshbound” is missing.');
+    throw new Error(english.faults.stateMissing);
   }
   return knownState(given as Record<string, unknown>);
 }

@@ -1,6 +1,6 @@
 import { css, html, LitElement } from 'lit';
 import { reduce } from '../../wasm/index.ts';
-import { download, type SavedKind, savedKinds } from '../element/download.ts';
+import { download, savedKinds } from '../element/download.ts';
 import { BoundsCurve } from '../session/bounds-curve.ts';
 import '../element/index.ts';
 import type { WantedView } from '../element/view-settings.ts';
@@ -26,19 +26,7 @@ import type { Toolbar } from './toolbar.ts';
 import './toolbar.ts';
 import type { KeySheet } from './key-sheet.ts';
 import './key-sheet.ts';
-
-/** How the kinds of files are offered. */
-const savedTexts: Record<SavedKind, { text: string; title: string }> = {
-  ply: { text: 'PLY', title: 'The reduced surface with all variables' },
-  vtp: { text: 'VTP', title: 'The reduced surface with all variables, for ParaView' },
-  vtk: { text: 'Legacy VTK', title: 'The reduced surface with all variables' },
-  glb: { text: 'GLB', title: 'The reduced surface for viewers of glTF, in single precision' },
-  obj: { text: 'OBJ', title: 'The reduced surface; of its variables only what the format holds' },
-  stl: { text: 'STL', title: 'The reduced surface without variables' },
-  report: { text: 'Report (JSON)', title: 'Bounds, errors and counts' },
-  levels: { text: 'Levels (GLB)', title: 'All levels of detail in one file (MSFT_lod), in single precision' },
-  map: { text: 'Map (VTP)', title: 'The original with where each vertex went, and what error it has there' },
-};
+import { english } from '../words/english.ts';
 
 /** The whole page around one viewer. */
 export class App extends LitElement {
@@ -166,9 +154,11 @@ export class App extends LitElement {
         @look-from=${({ detail }: CustomEvent<ViewDirection>) => this.viewer.lookFrom(detail)}
       >
         ${this.#shareMenu()}
-        <button aria-label="Keys" title="Keys (h)" @click=${() => this.#toggleKeys()}>?</button>
+        <button aria-label=${english.keys.title} title=${english.keys.hint} @click=${() => this.#toggleKeys()}>
+          ${english.keys.sign}
+        </button>
       </meshbound-toolbar>
-      <div class="bounds" role="region" aria-label="Bounds">
+      <div class="bounds" role="region" aria-label=${english.bounds.title}>
         <meshbound-bounds-panel
           .surface=${surface}
           .bounds=${bounds}
@@ -190,7 +180,7 @@ export class App extends LitElement {
       ${this.viewer}
       <meshbound-levels-panel
         role="region"
-        aria-label="Detail"
+        aria-label=${english.levels.region}
         .levels=${this.viewer.levels.state}
         ?disabled=${!surface}
         @level-count=${({ detail }: CustomEvent<number>) => this.viewer.levels.setCount(detail)}
@@ -210,7 +200,7 @@ export class App extends LitElement {
         ${this.#saveMenu(reduced !== null)}
       </meshbound-result-bar>
       <meshbound-key-sheet></meshbound-key-sheet>
-      <div class="drop ${this.#drop.hovering ? 'hovering' : ''}">Drop to open</div>
+      <div class="drop ${this.#drop.hovering ? 'hovering' : ''}">${english.page.drop}</div>
     `;
   }
 
@@ -219,11 +209,11 @@ export class App extends LitElement {
     const items: MenuItem[] = [
       ...savedKinds
         .filter((kind) => kind !== 'levels' || hasLevels)
-        .map((kind) => ({ ...savedTexts[kind], take: () => this.viewer.save(kind) })),
-      { text: 'Picture (PNG)', title: 'What is seen, with its legends', take: () => this.#savePicture(true) },
-      { text: 'Picture, no legends', title: 'The surfaces alone', take: () => this.#savePicture(false) },
+        .map((kind) => ({ ...english.page.saved[kind], take: () => this.viewer.save(kind) })),
+      { ...english.page.picture, take: () => this.#savePicture(true) },
+      { ...english.page.barePicture, take: () => this.#savePicture(false) },
     ];
-    return html`<meshbound-menu label="Save…" ?disabled=${!hasResult} .items=${items}></meshbound-menu>`;
+    return html`<meshbound-menu label=${english.page.save} ?disabled=${!hasResult} .items=${items}></meshbound-menu>`;
   }
 
   async #savePicture(legends: boolean): Promise<void> {
@@ -236,16 +226,12 @@ export class App extends LitElement {
 
   #shareMenu() {
     const items = [
-      {
-        text: 'Copy link',
-        title: 'An address of this page with the same surface, bounds and view',
-        take: this.#copyLink,
-      },
-      { text: 'Copy embed code', title: 'A viewer for a page of your own', take: () => this.#copy(this.#link.snippet) },
-      { text: 'Save state', title: 'Bounds and view as a file', take: this.#saveState },
-      { text: 'Load state…', title: 'Or drop such a file here', take: this.#browseState },
+      { ...english.page.copyLink, take: this.#copyLink },
+      { ...english.page.copyEmbed, take: () => this.#copy(this.#link.snippet) },
+      { ...english.page.saveState, take: this.#saveState },
+      { ...english.page.loadState, take: this.#browseState },
     ];
-    return html`<meshbound-menu label="Share…" .items=${items}></meshbound-menu>`;
+    return html`<meshbound-menu label=${english.page.share} .items=${items}></meshbound-menu>`;
   }
 
   #openSample({ address }: Sample): void {
@@ -289,18 +275,16 @@ export class App extends LitElement {
   #copyLink = (): Promise<string | undefined> => {
     const { address } = this.#link;
     if (address) return this.#copy(address);
-    this.viewer.session.report(
-      'A link cannot hold a file of yours: put it where an address reaches it, and open that.',
-    );
+    this.viewer.session.report(english.faults.linkToFile);
     return Promise.resolve(undefined);
   };
 
   async #copy(text: string): Promise<string | undefined> {
     try {
       await navigator.clipboard.writeText(text);
-      return 'Copied';
+      return english.page.copied;
     } catch {
-      this.viewer.session.report(`The browser does not let this page copy. ${text}`);
+      this.viewer.session.report(english.faults.cannotCopy(text));
       return undefined;
     }
   }

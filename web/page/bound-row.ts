@@ -6,6 +6,7 @@ import { controlsStyle } from '../element/controls-style.ts';
 import { percentNumber, percentText, upperText, withUnit } from '../element/number-text.ts';
 import { type BoundSetting, inUnit, parseAmount, parsePercent, tidy, wholeOf } from '../session/bound-setting.ts';
 import './number-field.ts';
+import { english } from '../words/english.ts';
 
 /**
  * The bound of one variable and what the result makes of it.
@@ -93,7 +94,7 @@ export class BoundRow extends LitElement {
         ${this.#field()}${this.#unitChoice()}
       </div>
       <meshbound-bound-slider
-        label="Bound of ${name}"
+        label=${english.bounds.of(name)}
         spoken="${percentText(fraction)}, ${bound}"
         .fraction=${fraction}
         .used=${free ? 0 : (this.reached?.ratio ?? 0)}
@@ -102,8 +103,10 @@ export class BoundRow extends LitElement {
       ></meshbound-bound-slider>
       <div class="line small">
         <label>
-          <input type="checkbox" aria-label="${name} bounded" .checked=${live(!free)} @change=${this.#toggle} />
-          <span>bounded${free ? '' : ` by ${absolute === undefined ? bound : percentText(fraction)}`}</span>
+          <input type="checkbox" aria-label=${english.bounds.isBounded(name)} .checked=${live(!free)} @change=${this.#toggle} />
+          <span>
+            ${free ? english.bounds.bounded : english.bounds.by(absolute === undefined ? bound : percentText(fraction))}
+          </span>
         </label>
         ${this.#reached()}
       </div>
@@ -115,7 +118,7 @@ export class BoundRow extends LitElement {
     const { fraction, absolute, free } = this.setting;
     const percent = absolute === undefined;
     return html`<meshbound-number-field
-      label="Bound of ${name} in ${percent ? 'percent' : (this.unit ?? 'its unit')}"
+      label=${english.bounds.ofIn(name, percent ? english.bounds.percent : (this.unit ?? english.bounds.itsUnit))}
       .text=${percent ? percentNumber(fraction) : String(absolute)}
       .parse=${percent ? parsePercent : parseAmount}
       ?disabled=${free}
@@ -128,28 +131,28 @@ export class BoundRow extends LitElement {
     const { absolute, free } = this.setting;
     return html`<select
       class="in"
-      aria-label="How the bound of ${this.variable.name} is stated"
+      aria-label=${english.bounds.stated(this.variable.name)}
       ?disabled=${free}
       @change=${this.#restate}
     >
       <option value="percent" .selected=${live(absolute === undefined)}>%</option>
-      <option value="unit" .selected=${live(absolute !== undefined)}>${withUnit('', this.unit).trim() || 'value'}</option>
+      <option value="unit" .selected=${live(absolute !== undefined)}>${withUnit('', this.unit).trim() || english.bounds.value}</option>
     </select>`;
   }
 
   #constant() {
     if (!this.variable.constant) return nothing;
-    return html`<span title="Its values differ by rounding only: the percentage is of their magnitude.">constant</span>`;
+    return html`<span title=${english.bounds.constantHint}>${english.bounds.constant}</span>`;
   }
 
   #reached() {
     if (!this.reached) return nothing;
     return html`<button
       class="error"
-      title="No point of the surface has a larger error than this: show where it is."
+      title=${english.bounds.errorHint}
       @click=${() => this.dispatchEvent(new CustomEvent('worst-wanted'))}
     >
-      error ${this.measured ? '' : '≤ '}${upperText(this.reached.error)}
+      ${english.bounds.error} ${this.measured ? '' : '≤ '}${upperText(this.reached.error)}
     </button>`;
   }
 

@@ -2,6 +2,7 @@ import { css, html, LitElement, svg } from 'lit';
 import { controlsStyle } from '../element/controls-style.ts';
 import { countText, percentText } from '../element/number-text.ts';
 import type { CurvePoint } from '../session/bounds-curve.ts';
+import { english } from '../words/english.ts';
 
 /** The drawing, in its own unit: room for numbers on the left and below. */
 const [width, height] = [288, 130];
@@ -78,7 +79,7 @@ export class BoundsChart extends LitElement {
             ></circle>`,
         )}
       </svg>
-      <p class="small soft">Triangles left against the largest bound, the others in proportion.</p>`;
+      <p class="small soft">${english.chart.what}</p>`;
   }
 
   #grid() {
@@ -98,8 +99,10 @@ export class BoundsChart extends LitElement {
   }
 
   #words(): string {
-    const points = this.points.map(({ fraction, triangles }) => `${countText(triangles)} at ${percentText(fraction)}`);
-    return `Triangles left by the largest bound: ${points.join(', ') || 'not measured yet'}.`;
+    const points = this.points.map(({ fraction, triangles }) =>
+      english.chart.point(countText(triangles), percentText(fraction)),
+    );
+    return english.chart.points(points);
   }
 
   #x(fraction: number): number {

@@ -14,17 +14,18 @@ import './method-choice.ts';
 import './number-field.ts';
 import { percentNumber, percentText } from '../element/number-text.ts';
 import './held-back.ts';
+import { english } from '../words/english.ts';
 
 /** What the panel asks for: the bound of one variable, the largest of all with the others in proportion, or all. */
 export type BoundChange = { variable: string; setting: BoundSetting } | { all: number } | { bounds: Bounds };
 
 /** Mixes of bounds to begin with. */
 const presets = [
-  { text: 'Fine', title: '0.1 % in space, 0.3 % in every variable', bounds: 'position: 0.1%; *: 0.3%' },
-  { text: 'Usual', title: '1 % in space, 3 % in every variable', bounds: 'position: 1%; *: 3%' },
-  { text: 'Coarse', title: '3 % in space, 9 % in every variable', bounds: 'position: 3%; *: 9%' },
-  { text: 'All alike', title: '1 % in space and in every variable', bounds: '*: 1%' },
-  { text: 'Shape only', title: '1 % in space; every variable free', bounds: 'position: 1%; *: free' },
+  { ...english.bounds.presetNames.fine, bounds: 'position: 0.1%; *: 0.3%' },
+  { ...english.bounds.presetNames.usual, bounds: 'position: 1%; *: 3%' },
+  { ...english.bounds.presetNames.coarse, bounds: 'position: 3%; *: 9%' },
+  { ...english.bounds.presetNames.alike, bounds: '*: 1%' },
+  { ...english.bounds.presetNames.shape, bounds: 'position: 1%; *: free' },
 ];
 
 /**
@@ -124,11 +125,11 @@ export class BoundsPanel extends LitElement {
   }
 
   override render() {
-    if (!this.surface) return html`<h2>Bounds</h2>`;
+    if (!this.surface) return html`<h2>${english.bounds.title}</h2>`;
     const variables = this.surface.variables;
     return html`
       <div class="head">
-        <h2>Bounds</h2>
+        <h2>${english.bounds.title}</h2>
         ${this.#steps()} ${this.#presets()}
       </div>
       <meshbound-held-back .report=${this.report}></meshbound-held-back>
@@ -148,16 +149,18 @@ export class BoundsPanel extends LitElement {
   }
 
   #steps() {
-    const step = (name: string, sign: string, keys: string, possible: boolean) =>
-      html`<button
+    const step = (event: 'undo' | 'redo', sign: string, keys: string, possible: boolean) => {
+      const name = english.bounds[event];
+      return html`<button
         aria-label=${name}
-        title="${name} the change of a bound (${keys})"
+        title=${english.bounds.stepHint(name, keys)}
         ?disabled=${!possible}
-        @click=${() => this.dispatchEvent(new CustomEvent(name.toLowerCase()))}
+        @click=${() => this.dispatchEvent(new CustomEvent(event))}
       >
         ${sign}
       </button>`;
-    return html`${step('Undo', '\u21b6', 'Ctrl+Z', this.canUndo)}${step('Redo', '\u21b7', 'Ctrl+Y', this.canRedo)}`;
+    };
+    return html`${step('undo', '\u21b6', 'Ctrl+Z', this.canUndo)}${step('redo', '\u21b7', 'Ctrl+Y', this.canRedo)}`;
   }
 
   #presets() {
@@ -166,19 +169,19 @@ export class BoundsPanel extends LitElement {
       title,
       take: () => this.#change({ bounds: readBounds(bounds) }),
     }));
-    return html`<meshbound-menu label="Presets" .items=${items}></meshbound-menu>`;
+    return html`<meshbound-menu label=${english.bounds.presets} .items=${items}></meshbound-menu>`;
   }
 
   #all() {
     const fraction = largestFraction(this.bounds);
     const input = ({ detail }: CustomEvent<number>) => this.#change({ all: detail });
     return html`<div class="all">
-      <span title="Sets the largest bound; the others keep their proportion to it.">
-        All <span class="small soft">in proportion</span>
+      <span title=${english.bounds.allHint}>
+        ${english.bounds.all} <span class="small soft">${english.bounds.inProportion}</span>
       </span>
       <span>
         <meshbound-number-field
-          label="Largest bound in percent"
+          label=${english.bounds.largestInPercent}
           .text=${percentNumber(fraction)}
           .parse=${parsePercent}
           @number-input=${input}
@@ -186,8 +189,8 @@ export class BoundsPanel extends LitElement {
         %
       </span>
       <meshbound-bound-slider
-        label="All bounds"
-        spoken="largest ${percentText(fraction)}"
+        label=${english.bounds.allBounds}
+        spoken=${english.bounds.largest(percentText(fraction))}
         .fraction=${fraction}
         @bound-input=${input}
       ></meshbound-bound-slider>
@@ -216,7 +219,7 @@ export class BoundsPanel extends LitElement {
         this.spreadShown = (target as HTMLDetailsElement).open;
       }}
     >
-      <summary>Errors by area</summary>
+      <summary>${english.spread.title}</summary>
       ${
         this.spreadShown
           ? html`<meshbound-error-spread
@@ -230,7 +233,7 @@ export class BoundsPanel extends LitElement {
 
   #chart() {
     return html`<details class="chart" @toggle=${this.#toggleChart}>
-      <summary>Triangles by bound</summary>
+      <summary>${english.chart.title}</summary>
       <meshbound-bounds-chart
         .points=${this.curve}
         .present=${largestFraction(this.bounds)}

@@ -4,6 +4,7 @@ import { controlsStyle } from '../element/controls-style.ts';
 import { countText, percentText } from '../element/number-text.ts';
 import { isMeasured } from '../element/promise-words.ts';
 import { type ErrorHistogram, errorHistograms, histogramBins, quantile } from '../probe/error-histogram.ts';
+import { english } from '../words/english.ts';
 
 /** Of a drawing, in its own unit. */
 const [width, height] = [280, 32];
@@ -77,21 +78,21 @@ export class ErrorSpread extends LitElement {
   override render() {
     const { reduction } = this;
     if (!reduction) return nothing;
-    const where = isMeasured(reduction) ? 'at the original’s vertices' : 'at most, in each reduced triangle';
     return html`
       ${reduction.report.variables.map((variable, index) => this.#drawing(variable, this.#histograms[index]))}
-      <div class="ends small soft"><span>0</span><span>error / bound</span><span>1</span></div>
-      <p class="small soft">How much of the area has which error, ${where}. Dashed: the largest anywhere.</p>
+      <div class="ends small soft"><span>0</span><span>${english.spread.axis}</span><span>1</span></div>
+      <p class="small soft">${english.spread.what(isMeasured(reduction))}</p>
       ${reduction.report.cells > 0 ? html`<p class="folds small soft">${foldsText(reduction.report)}</p>` : nothing}
     `;
   }
 
   #drawing({ name, ratio }: VariableReport, histogram: ErrorHistogram | null) {
-    if (!histogram) return html`<div class="name small"><span>${name}</span><span class="soft">free</span></div>`;
+    if (!histogram)
+      return html`<div class="name small"><span>${name}</span><span class="soft">${english.spread.free}</span></div>`;
     const [half, most] = [0.5, 0.95].map((share) => percentText(quantile(histogram, share)));
-    const words = `half of the area ≤ ${half}, 95 % of it ≤ ${most} of the bound`;
+    const words = english.spread.long(half, most);
     return html`<div class="name small" title=${words}>
-        <span>${name}</span><span class="quantiles soft">half ≤ ${half}, 95&nbsp;% ≤ ${most}</span>
+        <span>${name}</span><span class="quantiles soft">${english.spread.short(half, most)}</span>
       </div>
       <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label="${name}: ${words}">
         ${this.#parts(histogram)}

@@ -2,6 +2,7 @@ import { css, html, LitElement } from 'lit';
 import type { Report } from '../../wasm/types.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import { type HeldBack as Held, heldBackShares, roughShareText } from '../element/promise-words.ts';
+import { english } from '../words/english.ts';
 
 /** What holds a reduction back: which bound to loosen for fewer triangles. */
 export class HeldBack extends LitElement {
@@ -51,10 +52,10 @@ export class HeldBack extends LitElement {
   override render() {
     if (!this.report) return html``;
     const [most, ...rest] = heldBackShares(this.report);
-    if (!most) return html`<p class="soft">Nothing holds it back.</p>`;
+    if (!most) return html`<p class="soft">${english.heldBack.nothing}</p>`;
     return html`
-      <p title="Why the vertices that are still there could not go">
-        Held back most by <b>${most.reason}</b>: ${roughShareText(most.share)}
+      <p title=${english.heldBack.what}>
+        ${english.heldBack.most} <b>${most.reason}</b>: ${roughShareText(most.share)}
       </p>
       <div class="bar" aria-hidden="true">
         ${[most, ...rest].map(
@@ -62,7 +63,7 @@ export class HeldBack extends LitElement {
             html`<span title="${reason} ${roughShareText(share)}" .style=${`flex:${share}`}></span>`,
         )}
       </div>
-      <p class="next small soft">${rest.length > 0 ? `then ${rest.map(words).join(', ')}` : 'and nothing else'}</p>
+      <p class="next small soft">${english.heldBack.next(rest.map(words))}</p>
     `;
   }
 }

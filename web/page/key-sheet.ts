@@ -1,20 +1,6 @@
 import { css, html, LitElement } from 'lit';
 import { controlsStyle } from '../element/controls-style.ts';
-
-const keys: [string, string][] = [
-  ['h', 'this list'],
-  ['o', 'open a file'],
-  ['e', 'edges'],
-  ['f', 'fit into view'],
-  ['Ctrl Z, Ctrl Y', 'undo and redo the change of a bound'],
-  ['Tab, Shift Tab', 'go through all controls, and to the surfaces'],
-  ['← → ↑ ↓', 'on a surface: turn it; on a slider or the divider: move it'],
-  ['Shift ← → ↑ ↓', 'on a surface: move it'],
-  ['+ and −', 'on a surface: nearer, farther'],
-  ['0', 'on a surface: fit into view'],
-  ['Enter', 'on a surface: pin what its middle shows; a click pins any place'],
-  ['Esc', 'let go of it'],
-];
+import { english } from '../words/english.ts';
 
 /** The keys, in a dialogue. */
 export class KeySheet extends LitElement {
@@ -45,9 +31,9 @@ export class KeySheet extends LitElement {
 
   override render() {
     return html`<dialog aria-labelledby="title">
-      <h2 id="title">Keys</h2>
-      <dl>${keys.map(([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`)}</dl>
-      <button @click=${() => this.#dialog.close()}>Close</button>
+      <h2 id="title">${english.keys.title}</h2>
+      <dl>${english.keys.list.map(([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`)}</dl>
+      <button @click=${() => this.#dialog.close()}>${english.keys.close}</button>
     </dialog>`;
   }
 

@@ -2,18 +2,7 @@ import { css, html, LitElement, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { controlsStyle } from '../element/controls-style.ts';
 import type { Method } from '../session/session.ts';
-
-/** What each way to account for errors means. */
-const errors: Record<Method['errors'], string> = {
-  tracked: 'Every error is measured against the original: nothing is overestimated, and fewer triangles are left.',
-  propagated:
-    'Errors are added up removal by removal, as by Bajaj and Schikore (1996): limits from above, more triangles.',
-};
-
-const costs: Record<Method['cost'], string> = {
-  introduced: 'error introduced',
-  maximum: 'maximum error',
-};
+import { english } from '../words/english.ts';
 
 /**
  * How errors are accounted for, out of the way until it is opened.
@@ -53,21 +42,23 @@ export class MethodChoice extends LitElement {
 
   override render() {
     return html`<details @toggle=${() => this.scrollIntoView({ block: 'nearest' })}>
-      <summary>Method <span class="small soft">${this.method.errors} errors</span></summary>
+      <summary
+        >${english.method.title} <span class="small soft">${english.method.now(this.method.errors)}</span></summary
+      >
       ${choice(
-        'Errors',
-        Object.keys(errors).map((name) => [name, name]),
+        english.method.errors,
+        Object.keys(english.method.means).map((name) => [name, name]),
         this.method.errors,
         (chosen) => this.#change({ errors: chosen as Method['errors'] }),
       )}
       ${
         this.method.errors === 'propagated'
-          ? choice('Keeps small', Object.entries(costs), this.method.cost, (chosen) =>
+          ? choice(english.method.keepsSmall, Object.entries(english.method.costs), this.method.cost, (chosen) =>
               this.#change({ cost: chosen as Method['cost'] }),
             )
           : nothing
       }
-      <p class="small soft">${errors[this.method.errors]}</p>
+      <p class="small soft">${english.method.means[this.method.errors]}</p>
     </details>`;
   }
 
