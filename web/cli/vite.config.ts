@@ -5,9 +5,12 @@ import { defineConfig, type Plugin } from 'vite';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
-/** WebAssembly modules beside the program: the address of each, relative to its source, becomes one relative to the bundle. */
+/**
+ * WebAssembly modules beside the program: the address of each, relative to its source, becomes one relative to the bundle.
+ * The module with threads has the same name, but is for pages alone.
+ */
 function webAssemblyFiles(): Plugin {
-  const address = /new URL\('([^']+\.wasm)', import\.meta\.url\)/g;
+  const address = /new URL\('([^']+\/wasm\/[^']+\.wasm)', import\.meta\.url\)/g;
   return {
     name: 'webassembly-files',
     enforce: 'pre',
