@@ -53,6 +53,10 @@ function vertexAreas(mesh: Mesh): Float64Array {
 }
 
 function triangleAreas(mesh: Mesh): Float64Array {
-  const count = mesh.triangles.length / 3;
-  return Float64Array.from({ length: count }, (_, triangle) => Math.hypot(...normalOf(mesh, triangle)) / 2);
+  const areas = new Float64Array(mesh.triangles.length / 3);
+  for (let triangle = 0; triangle < areas.length; triangle++) {
+    const [x, y, z] = normalOf(mesh, triangle);
+    areas[triangle] = Math.sqrt(x * x + y * y + z * z) / 2;
+  }
+  return areas;
 }

@@ -35,8 +35,10 @@ export function distance(one: readonly number[], other: readonly number[]): numb
 }
 
 /** The direction in which a triangle faces, twice as long as its area. */
-export function normalOf({ position, triangles }: Mesh, triangle: number): [number, number, number] {
-  const [a, b, c] = [0, 1, 2].map((corner) => 3 * triangles[3 * triangle + corner]);
+export function normalOf({ position, triangles }: Mesh, triangle: number): [x: number, y: number, z: number] {
+  const a = 3 * triangles[3 * triangle];
+  const b = 3 * triangles[3 * triangle + 1];
+  const c = 3 * triangles[3 * triangle + 2];
   const edge = (to: number, axis: number) => position[to + axis] - position[a + axis];
   const part = (i: number, j: number) => edge(b, i) * edge(c, j) - edge(b, j) * edge(c, i);
   return [part(1, 2), part(2, 0), part(0, 1)];

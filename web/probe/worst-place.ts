@@ -91,9 +91,11 @@ function vertexPlaces(mesh: Mesh, { map }: MappedReduction, vertex: number): Pla
 
 /** A point of an edge as a place in the first triangle that has it. */
 function placeOnEdge(triangles: Uint32Array, from: number, to: number, share: number): Place {
+  const has = (first: number, vertex: number) =>
+    triangles[first] === vertex || triangles[first + 1] === vertex || triangles[first + 2] === vertex;
   for (let first = 0; first < triangles.length; first += 3) {
+    if (!has(first, from) || !has(first, to)) continue;
     const corners = triangles.subarray(first, first + 3);
-    if (!corners.includes(from) || !corners.includes(to)) continue;
     const [a, b, c] = Array.from(corners, (each) => (each === from ? 1 - share : each === to ? share : 0));
     return { triangle: first / 3, barycentric: [a, b, c] };
   }
