@@ -104,6 +104,26 @@ test('the address holds the surface, the bounds and the view, and so do a link a
   await other.close();
 });
 
+test('levels of detail, and which is shown, are in the address', async ({ browser }) => {
+  await page().getByLabel('Sample').selectOption('fireballs');
+  await settled(page());
+  await page().getByLabel('Levels of detail').selectOption('2');
+  const position = page().getByRole('slider', { name: 'Position among levels' });
+  await expect(position).toBeEnabled();
+  await page().getByRole('button', { name: 'Level 2' }).click();
+  await expect.poll(() => page().url()).toMatch(/level-count=2&level=2$/);
+  const other = await browser.newPage();
+  await other.goto(page().url());
+  await expect(other.locator('#reduced .caption')).toContainText('Level 2', { timeout: 40_000 });
+  await expect(other.getByLabel('Levels of detail')).toHaveValue('2');
+  expect(await other.locator('#reduced .caption').innerText()).toBe(
+    await page().locator('#reduced .caption').innerText(),
+  );
+  await other.close();
+  await page().getByLabel('Levels of detail').selectOption('0');
+  await expect.poll(() => page().url()).not.toContain('level');
+});
+
 test('a file of the user’s leaves no trace in the address', async () => {
   await chooseFile(page(), 'secret.ply', sheet(20));
   await expect.poll(async () => (await counts(page())).before).toBe(2 * 19 * 19);

@@ -411,7 +411,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
       src: surface?.address,
       bounds: surface && !areFirst(bounds) ? this.bounds : null,
     };
-    for (const name of viewAttributes) text[name] = asAttribute(this[name]);
+    for (const name of viewAttributes) text[name] = asAttribute(this[propertyOf(name)]);
     const said = stateAttributes.filter((name) => typeof text[name] === 'string' && text[name] !== firstState[name]);
     return Object.fromEntries(said.map((name) => [name, text[name]]));
   }
@@ -425,7 +425,10 @@ export class MeshboundViewer extends LitElement implements WantedView {
   }
 
   #setAttributeOf(name: (typeof viewAttributes)[number], value: string | null): void {
-    Object.assign(this, { [name]: typeof this[name] === 'boolean' ? value !== null : value });
+    const property = propertyOf(name);
+    const isNumber = value !== null && property.startsWith('level');
+    const given = typeof this[property] === 'boolean' ? value !== null : isNumber ? Number(value) : value;
+    Object.assign(this, { [property]: given });
   }
 
   /** What is shown and saved: the last result, or a level of detail of it. @internal */
@@ -772,8 +775,18 @@ export class MeshboundViewer extends LitElement implements WantedView {
   }
 }
 
-function asAttribute(value: string | boolean | null): string | null {
+/** Places between levels are said to two decimals. */
+function asAttribute(value: string | boolean | number | null): string | null {
+  if (typeof value === 'number') return String(Number(value.toFixed(2)));
   return typeof value === 'boolean' ? (value ? '' : null) : value;
+}
+
+const levelProperties = { 'level-count': 'levelCount', level: 'level', 'level-pixels': 'levelPixels' } as const;
+
+function propertyOf(name: (typeof viewAttributes)[number]) {
+  return name in levelProperties
+    ? levelProperties[name as keyof typeof levelProperties]
+    : (name as Exclude<typeof name, keyof typeof levelProperties>);
 }
 
 function methodFrom({ errors, cost }: MeshboundViewer): Method {

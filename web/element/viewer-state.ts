@@ -1,4 +1,5 @@
 import { english } from '../words/english.ts';
+
 /**
  * What can be said of a viewer as attributes, in the order in which they are written. Data are never among them, only the
  * address that they come from.
@@ -21,6 +22,9 @@ export const stateAttributes = [
   'clip',
   'unlinked',
   'camera',
+  'level-count',
+  'level',
+  'level-pixels',
 ] as const;
 export type StateAttribute = (typeof stateAttributes)[number];
 
@@ -32,6 +36,8 @@ export const firstState: ViewerState = {
   colormap: 'viridis',
   range: 'data',
   view: 'split',
+  'level-count': '0',
+  level: '1',
 };
 
 /** The attributes of a viewer that are not as at first; those without a value are empty. */

@@ -118,7 +118,7 @@ export class App extends LitElement {
     super();
     this.samples = [];
     this.viewer.setAttribute('role', 'main');
-    this.viewer.levels.addEventListener('change', () => this.requestUpdate());
+    this.viewer.levels.addEventListener('change', () => this.#changed());
     this.viewer.session.addEventListener('change', () => {
       this.#followCurve();
       this.#changed();

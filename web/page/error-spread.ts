@@ -10,8 +10,8 @@ import { english } from '../words/english.ts';
 const [width, height] = [280, 32];
 
 function foldsText({ cells, foldedCells }: Report): string {
-  const share = foldedCells > 0 ? ` (${percentText(foldedCells / cells)})` : '';
-  return `The map cuts the original into ${countText(cells)} cells and folds ${countText(foldedCells)} of them${share}, within the bounds.`;
+  const share = foldedCells > 0 ? percentText(foldedCells / cells) : null;
+  return english.spread.folds(countText(cells), countText(foldedCells), share);
 }
 
 /** How the errors of each variable are spread over the surface: a histogram of error / bound by area. */

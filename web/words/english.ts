@@ -187,6 +187,8 @@ export const english = {
     title: 'Errors by area',
     what: (measured: boolean) =>
       `How much of the area has which error, ${measured ? 'at the original’s vertices' : 'at most, in each reduced triangle'}. Dashed: the largest anywhere.`,
+    folds: (cells: string, folded: string, share: string | null) =>
+      `The map cuts the original into ${cells} cells and folds ${folded} of them${share ? ` (${share})` : ''}, within the bounds.`,
     axis: 'error / bound',
     free: 'free',
     short: (half: string, most: string) => `half ≤ ${half}, 95${space}% ≤ ${most}`,
