@@ -45,9 +45,17 @@ export class ProbeCard extends LitElement {
         padding: 0 6px;
         color: var(--ink);
       }
+      /* The columns stay where they are whatever the values, and the rows: each component has a line. */
       table {
         width: 100%;
+        table-layout: fixed;
         border-collapse: collapse;
+      }
+      col.name {
+        width: 28%;
+      }
+      col.value {
+        width: 19%;
       }
       th,
       td {
@@ -55,31 +63,24 @@ export class ProbeCard extends LitElement {
         font-weight: inherit;
         text-align: right;
         vertical-align: top;
+        white-space: nowrap;
       }
       thead th {
         vertical-align: bottom;
-      }
-      thead th {
-        white-space: nowrap;
       }
       th:first-child {
         padding-left: 0;
         text-align: left;
       }
       th[scope='row'] {
-        max-width: 140px;
         overflow: hidden;
         text-overflow: ellipsis;
-        white-space: nowrap;
       }
       td span {
-        display: inline-block;
-        padding-left: 6px;
-        white-space: nowrap;
+        display: block;
       }
       td.share {
-        white-space: nowrap;
-        background: linear-gradient(var(--accent) 0 0) 8px 100% / calc(var(--share) * (100% - 8px)) 2px no-repeat;
+        background: linear-gradient(var(--accent) 0 0) 8px 1.3em / calc(var(--share) * (100% - 8px)) 2px no-repeat;
       }
       tbody button {
         min-height: 0;
@@ -94,18 +95,16 @@ export class ProbeCard extends LitElement {
           padding: 4px 6px;
           font-size: 11.5px;
         }
+        col.name,
+        col.value {
+          width: 22%;
+        }
         th,
         td {
-          padding-left: 5px;
+          padding-left: 4px;
         }
         thead th {
           white-space: normal;
-        }
-        td span {
-          padding-left: 3px;
-        }
-        th[scope='row'] {
-          max-width: 64px;
         }
         th .soft {
           display: none;
@@ -128,6 +127,11 @@ export class ProbeCard extends LitElement {
     if (!probe) return nothing;
     return html`
       <table>
+        <colgroup>
+          <col class="name" />
+          <col class="value" span="2" />
+          <col span="2" />
+        </colgroup>
         <thead class="soft">
           <tr>
             <th scope="col">${pinned ? this.#unpin() : english.probe.pin}</th>
@@ -187,8 +191,7 @@ export class ProbeCard extends LitElement {
 
   #values(values: number[] | null) {
     if (!values) return this.#unknown;
-    // Apart, so that a vector may go over several lines.
-    return values.map((value) => html`<span>${valueText(value, valueDigits)}</span> `);
+    return values.map((value) => html`<span>${valueText(value, valueDigits)}</span>`);
   }
 
   get #unknown(): string {

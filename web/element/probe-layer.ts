@@ -54,7 +54,7 @@ export class ProbeLayer extends LitElement {
       }
       meshbound-probe-card {
         position: absolute;
-        max-width: min(420px, 100% - 20px);
+        width: min(420px, 100% - 20px);
         max-height: calc(100% - 20px);
         overflow-y: auto;
       }
