@@ -7,8 +7,8 @@
 #include "focus.hpp"
 #include "locks.hpp"
 #include "map_output.hpp"
-#include "meshbound/segmentation.hpp"
 #include "orientation.hpp"
+#include "oriented_segmentation.hpp"
 #include "propagation.hpp"
 #include "reduction_output.hpp"
 #include "sweep.hpp"
@@ -157,7 +157,8 @@ void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking*
     if (!options_.count_folds || ticker_.cancelled()) return;
     Segmentation segmentation;
     const Mesh oriented = oriented_.empty() ? Mesh{} : oriented_shape();
-    segment({oriented_.empty() ? mesh_ : oriented, reduction}, segmentation, [this](double) { return ticker_.ask(); });
+    segment_oriented({oriented_.empty() ? mesh_ : oriented, reduction}, segmentation,
+                     [this](double) { return ticker_.ask(); });
     reduction.report.cells = segmentation.cells.size();
     reduction.report.folded_cells = segmentation.folded_cells;
 }

@@ -1,9 +1,12 @@
 #include "meshbound/segmentation.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "orientation.hpp"
+#include "oriented_segmentation.hpp"
 #include "segmentation_cutting.hpp"
 #include "segmentation_faces.hpp"
 #include "segmentation_outline.hpp"
@@ -113,12 +116,22 @@ glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCe
     return place_at_vertex(triangle, static_cast<std::uint32_t>(kept - surfaces.vertices.begin()));
 }
 
-void segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
+void segment_oriented(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
     segmentation = {};
     if (surfaces.map.places.empty()) return;
     Ticker ticker(progress);
     if (cut_into_cells(surfaces, segmentation, ticker) && cut_into_pieces(surfaces, segmentation, ticker)) return;
     segmentation = {};
+}
+
+/// The map is of the triangles as `reduce` turned them.
+void segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
+    Orientation orientation = orient(surfaces.original.triangles, vertex_count(surfaces.original));
+    if (orientation.turned == 0) return segment_oriented(surfaces, segmentation, progress);
+    Mesh turned;
+    turned.position = surfaces.original.position;
+    turned.triangles = std::move(orientation.triangles);
+    segment_oriented({turned, surfaces}, segmentation, progress);
 }
 
 } // namespace meshbound

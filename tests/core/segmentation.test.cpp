@@ -21,6 +21,7 @@
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
+#include "orientation.hpp"
 #include "promise.hpp"
 #include "segmentation_cutting.hpp"
 
@@ -49,6 +50,8 @@ public:
     Segmented(const Mesh& mesh, const Bounds& bounds, const Options& options)
         : mesh_(mesh), reduction_(promise::reduced(mesh, bounds, options)) {
         segment({mesh_, reduction_}, segmentation_);
+        // From here on as they are reduced: turned where they face the wrong side.
+        mesh_.triangles = orient(mesh.triangles, vertices()).triangles;
     }
 
     const Reduction& reduction() const { return reduction_; }

@@ -17,6 +17,9 @@ struct MappedSurfaces {
         : original(mesh), reduced(reduction.mesh), vertices(reduction.vertices), map(reduction.map) {}
     MappedSurfaces(const Mesh& finer, const Mesh& coarser, const LevelLink& link)
         : original(finer), reduced(coarser), vertices(link.vertices), map(link.map) {}
+    /// The same map from a mesh with the same vertices, whose triangles are the same but for the sides that they face.
+    MappedSurfaces(const Mesh& turned, const MappedSurfaces& mapped)
+        : original(turned), reduced(mapped.reduced), vertices(mapped.vertices), map(mapped.map) {}
 
     const Mesh& original;
     const Mesh& reduced;
