@@ -18,16 +18,20 @@ function checkTriangles(triangles: unknown): void {
 }
 
 /** Throws a TypeError for arrays of another type than `Mesh` says; everything else is the core's to judge. */
-export function checkMesh({ position, triangles, variables }: Mesh): void {
+export function checkMesh({ position, triangles, variables, regions }: Mesh): void {
   checkValues(position, 'position');
   checkTriangles(triangles);
+  if (regions !== undefined && !(regions instanceof Int32Array)) {
+    throw new TypeError('The regions must be an Int32Array.');
+  }
   for (const { name, values } of variables) checkValues(values, `values of "${name}"`);
 }
 
 /** A copy whose buffers are its own, so that they can be transferred while the caller's stay as they are. */
-export function copyMesh({ position, triangles, variables }: Mesh): Mesh {
+export function copyMesh({ position, triangles, variables, regions }: Mesh): Mesh {
   const copyVariable = ({ name, components, values }: Variable) => ({ name, components, values: values.slice() });
-  return { position: position.slice(), triangles: triangles.slice(), variables: variables.map(copyVariable) };
+  const copy = { position: position.slice(), triangles: triangles.slice(), variables: variables.map(copyVariable) };
+  return regions ? { ...copy, regions: regions.slice() } : copy;
 }
 
 /** The same of a map. */

@@ -136,6 +136,10 @@ Mesh mesh_from(const val& mesh) {
         copy_into(&result.triangles.front().x, result.triangles.size() * 3, triangles);
     }
 
+    if (const val regions = mesh["regions"]; !regions.isUndefined()) {
+        result.regions = vector_from<std::int32_t>(regions);
+    }
+
     const val variables = mesh["variables"];
     const auto count = variables["length"].as<std::size_t>();
     for (std::size_t i = 0; i < count; ++i) {

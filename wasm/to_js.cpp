@@ -83,8 +83,13 @@ val triangles_to(const std::vector<glm::uvec3>& triangles) {
 }
 
 val mesh_to(const Mesh& mesh) {
-    return object(field("position", values_to(mesh.position.values)), field("triangles", triangles_to(mesh.triangles)),
-                  field("variables", list_to(mesh.variables, variable_to)));
+    val result =
+        object(field("position", values_to(mesh.position.values)), field("triangles", triangles_to(mesh.triangles)),
+               field("variables", list_to(mesh.variables, variable_to)));
+    if (!mesh.regions.empty()) {
+        result.set("regions", array_to(mesh.regions));
+    }
+    return result;
 }
 
 val triangle_errors_to(const TriangleErrors& errors) {

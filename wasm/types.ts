@@ -12,6 +12,11 @@ export interface Mesh {
   /** Three vertex indices a triangle, counter-clockwise seen from outside. */
   triangles: Uint32Array;
   variables: Variable[];
+  /**
+   * A label for each triangle. Where labels differ the surface has a border, which is kept within the bounds: each side keeps
+   * its label, and so do the corners in which borders meet or end.
+   */
+  regions?: Int32Array;
 }
 
 /** The largest allowed error: a fraction of the variable's extent, a value in its unit, or none. */

@@ -31,6 +31,10 @@ public:
     /// Looks at the laid-out hole of a candidate.
     virtual void enter(const Hole& hole) = 0;
 
+    /// Of a removal of several parts along a curve: all of them, this one the first, have entered their holes. What goes to
+    /// their closing edges goes to the same share of each. Called once, for the first part.
+    virtual void join(const std::vector<RemovalAccounting*>& parts, double squared_limit) = 0;
+
     /// What a retriangulation of this hole is charged for.
     virtual HoleCost& cost() = 0;
 

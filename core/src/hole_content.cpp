@@ -60,6 +60,13 @@ void HoleContent::add_closing(const Rows& rows, const Residents& residents, cons
     }
 }
 
+void HoleContent::settle_on_closing(std::size_t inner, double share, const Hole& hole) {
+    InnerVertex& vertex = vertices_[inner];
+    vertex.share = share;
+    vertex.place = hole.places.front() + share * (hole.places.back() - hole.places.front());
+    vertex.settled = true;
+}
+
 void HoleContent::add_rim(const Residents& residents, const Hole& hole, int rim) {
     // The rim's edge lies across the sector's triangle from the candidate; its residents stay where they are.
     const std::uint32_t lower_end = hole.ring[at(rim)], upper_end = hole.ring[at(hole.after(rim))];

@@ -23,9 +23,10 @@ struct InnerVertex {
     };
     std::uint32_t vertex = no_index;
     Host host = Host::triangle;
-    int rim = -1;        ///< of Host::rim
-    glm::dvec2 place{0}; ///< in the plane
-    double share = 0;    ///< of Host::closing: along the closing edge, from ring position 0
+    int rim = -1;         ///< of Host::rim
+    glm::dvec2 place{0};  ///< in the plane
+    double share = 0;     ///< of Host::closing: along the closing edge, from ring position 0
+    bool settled = false; ///< of Host::closing: the share was agreed on with other sheets
 };
 
 /// The end of a piece: a ring vertex, a crossing on a rim, or an inner vertex.
@@ -52,6 +53,9 @@ public:
     void enter(const Rows& rows, const Surface& surface, const Residents& residents, const Hole& hole);
     /// Finds the pieces, unless it has found those of this hole; enter comes first.
     void find_pieces(const OriginalEdges& edges, const Crossings& crossings, const Hole& hole);
+
+    /// Settles an inner vertex of the closing edge at a share of it, for good.
+    void settle_on_closing(std::size_t inner, double share, const Hole& hole);
 
     const std::vector<InnerVertex>& vertices() const { return vertices_; }
     const std::vector<Piece>& pieces() const { return pieces_; }

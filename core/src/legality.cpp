@@ -59,42 +59,40 @@ bool Legality::removable(const Surface& surface, const Hole& hole) const {
         const std::uint32_t across = surface.twin(hole.rims[at(rim)]);
         if (across != no_index && surface.target(Surface::next(across)) == hole.ring[at((rim + 2) % 3)]) return false;
     }
-    return true;
+    return !surface.has_sites() || !surface.triangle_exists(hole.ring[0], hole.ring[1], hole.ring[2]);
 }
 
-int Legality::ring_position(std::uint32_t vertex) const {
-    if (!(ring_filter_ >> (vertex % 64) & 1)) return -1;
-    const auto found = std::find(hole_->ring.begin(), hole_->ring.end(), vertex);
-    return found == hole_->ring.end() ? -1 : static_cast<int>(found - hole_->ring.begin());
-}
-
-/// Ring vertices joined by an edge that is neither rim nor spoke: found by walking around each of them.
+/// Ring vertices joined by an edge that is neither rim nor spoke: found by walking around each of them, on every sheet where
+/// it has a copy, since sheets are to touch nowhere but where they do.
 void Legality::find_taken_edges(const Surface& surface, const Hole& hole) {
     taken_.assign(at(hole.size() * hole.size()), 0);
     ring_filter_ = 0;
-    for (const std::uint32_t vertex : hole.ring) ring_filter_ |= std::uint64_t{1} << (vertex % 64);
+    sites_.clear();
+    for (const std::uint32_t vertex : hole.ring) sites_.push_back(surface.site(vertex));
+    for (const std::uint32_t site : sites_) ring_filter_ |= std::uint64_t{1} << (site % 64);
     for (int i = 0; i < hole.size(); ++i) {
-        if (surface.kind(hole.ring[at(i)]) != VertexKind::fixed) {
-            find_taken_around(surface, hole, i);
-            continue;
-        }
-        for (int j = 0; j < i; ++j)
-            if (surface.fixed_edge_exists(hole.ring[at(i)], hole.ring[at(j)])) take(i, j);
+        surface.for_each_in_site(hole.ring[at(i)],
+                                 [&](std::uint32_t vertex) { find_taken_around(surface, vertex, i); });
+        if (surface.has_sites()) see(sites_[at(i)], i); // no edge joins two copies of one vertex
     }
 }
 
-/// Walks around a ring vertex.
-void Legality::find_taken_around(const Surface& surface, const Hole& hole, int i) {
-    const auto see = [&](std::uint32_t vertex) {
-        if (const int j = ring_position(vertex); j >= 0) take(i, j);
-    };
-    const std::uint32_t first = surface.outgoing(hole.ring[at(i)]);
+/// The edge from ring position i to every ring position that is a copy of the site is taken.
+void Legality::see(std::uint32_t site, int i) {
+    if (!(ring_filter_ >> (site % 64) & 1)) return;
+    for (int j = 0; j < hole_->size(); ++j)
+        if (sites_[at(j)] == site) take(i, j);
+}
+
+/// Walks around a copy of ring position i.
+void Legality::find_taken_around(const Surface& surface, std::uint32_t vertex, int i) {
+    const std::uint32_t first = surface.outgoing(vertex);
     std::uint32_t spoke = first;
     do {
-        see(surface.target(spoke));
+        see(surface.site(surface.target(spoke)), i);
         const std::uint32_t arriving = Surface::previous(spoke);
         spoke = surface.twin(arriving);
-        if (spoke == no_index) see(surface.origin(arriving));
+        if (spoke == no_index) see(surface.site(surface.origin(arriving)), i);
     } while (spoke != no_index && spoke != first);
 }
 

@@ -41,8 +41,8 @@ private:
     void find_taken_edges(const Surface& surface, const Hole& hole);
     void find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole);
     void take(int i, int j);
-    void find_taken_around(const Surface& surface, const Hole& hole, int i);
-    int ring_position(std::uint32_t vertex) const;
+    void find_taken_around(const Surface& surface, std::uint32_t vertex, int i);
+    void see(std::uint32_t site, int i);
     double sharpest_bend(const Hole& hole) const;
     bool folds(const glm::dvec3& p, const glm::dvec3& q) const;
     bool folds_onto_neighbour(const RingTriangle& triangle, int rim) const;
@@ -52,12 +52,13 @@ private:
     const OriginalNormals& original_;
     bool minds_turns_;
     const Hole* hole_ = nullptr;
-    glm::dvec3 normal_{0};          // of the hole, of unit length
-    double least_cosine_ = 0;       // between it and the normal of a triangle that minds turns
-    double least_bend_cosine_ = 0;  // across every edge inside the hole and on its rims
-    double least_area_ = 0;         // of a laid-out triangle, twice
-    std::uint64_t ring_filter_ = 0; // a bit for the last digits of each ring vertex: most others are told from them
-    std::vector<char> taken_;       // [i * size + j]: the edge exists
+    glm::dvec3 normal_{0};             // of the hole, of unit length
+    double least_cosine_ = 0;          // between it and the normal of a triangle that minds turns
+    double least_bend_cosine_ = 0;     // across every edge inside the hole and on its rims
+    double least_area_ = 0;            // of a laid-out triangle, twice
+    std::uint64_t ring_filter_ = 0;    // a bit for the last digits of each ring vertex: most others are told from them
+    std::vector<std::uint32_t> sites_; // of the ring
+    std::vector<char> taken_;          // [i * size + j]: the edge exists
     std::vector<glm::dvec3> neighbours_; // by rim: normal of the triangle outside, or zero
 };
 

@@ -8,10 +8,14 @@
 namespace meshbound {
 namespace {
 
+/// Vertices of the input of which copies are left; the copies of one are neighbours in the numbering.
 std::vector<std::uint32_t> kept_vertices(const Surface& surface) {
     std::vector<std::uint32_t> kept;
-    for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex)
-        if (surface.kind(vertex) != VertexKind::absent) kept.push_back(vertex);
+    for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
+        if (surface.kind(vertex) == VertexKind::absent) continue;
+        const std::uint32_t input = surface.input(vertex);
+        if (kept.empty() || kept.back() != input) kept.push_back(input);
+    }
     return kept;
 }
 
@@ -37,6 +41,18 @@ public:
     void enter(const Hole& hole) override {
         from_original_->enter(hole);
         from_finer_->enter(hole);
+    }
+
+    /// The map from the original decides; the one from the finer level goes the same way on all parts, too.
+    void join(const std::vector<RemovalAccounting*>& parts, double squared_limit) override {
+        std::vector<RemovalAccounting*> from_original, from_finer;
+        for (RemovalAccounting* part : parts) {
+            auto& linked = static_cast<LinkedRemoval&>(*part);
+            from_original.push_back(linked.from_original_.get());
+            from_finer.push_back(linked.from_finer_.get());
+        }
+        from_original_->join(from_original, squared_limit);
+        from_finer_->join(from_finer, squared_limit);
     }
 
     HoleCost& cost() override { return from_original_->cost(); }

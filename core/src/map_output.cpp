@@ -19,12 +19,13 @@ MapPlace place_on(std::uint32_t h, double share, const std::vector<std::uint32_t
 void place_residents(const Surface& surface, const Residents& residents, std::uint32_t slot,
                      const std::vector<std::uint32_t>& renamed_triangle, SurfaceMap& map) {
     for (std::uint32_t v = residents.in_triangle(slot); v != no_index; v = residents.next(v))
-        map.places[v] = {renamed_triangle[slot], residents.barycentric(v)};
+        map.places[surface.input(v)] = {renamed_triangle[slot], residents.barycentric(v)};
     for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h) {
-        map.places[surface.origin(h)] = place_on(h, 0, renamed_triangle);
+        map.places[surface.input(surface.origin(h))] = place_on(h, 0, renamed_triangle);
         const bool canonical = surface.origin(h) < surface.target(h);
         for (std::uint32_t v = residents.on_edge(surface.edge(h)); v != no_index; v = residents.next(v))
-            map.places[v] = place_on(h, canonical ? residents.share(v) : 1 - residents.share(v), renamed_triangle);
+            map.places[surface.input(v)] =
+                place_on(h, canonical ? residents.share(v) : 1 - residents.share(v), renamed_triangle);
     }
 }
 
@@ -44,7 +45,7 @@ std::vector<glm::uvec2> edge_ends(const Surface& surface) {
 
 void extract_map(const Surface& surface, const Tracking& tracking, const std::vector<std::uint32_t>& renamed_vertex,
                  const std::vector<std::uint32_t>& renamed_triangle, SurfaceMap& map, Ticker& ticker) {
-    map.places.assign(surface.vertex_count(), {});
+    map.places.assign(surface.input_count(), {});
     for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
         if (!ticker.tick(1)) return;
         if (surface.alive(slot)) place_residents(surface, tracking.map().residents, slot, renamed_triangle, map);
@@ -56,7 +57,7 @@ void extract_map(const Surface& surface, const Tracking& tracking, const std::ve
         for (std::uint32_t id = crossings.first(edge); id != no_index; id = crossings[id].next) {
             const Crossing& crossing = crossings[id];
             const glm::uvec2 reduced = ends[crossing.current];
-            map.crossings.push_back({{edges.lower(edge), edges.upper(edge)},
+            map.crossings.push_back({{surface.input(edges.lower(edge)), surface.input(edges.upper(edge))},
                                      crossing.s,
                                      {renamed_vertex[reduced.x], renamed_vertex[reduced.y]},
                                      crossing.t,
@@ -64,8 +65,8 @@ void extract_map(const Surface& surface, const Tracking& tracking, const std::ve
         }
 }
 
-void extract_vertex_errors(const Rows& rows, const Reduction& reduction, std::vector<VertexErrors>& errors,
-                           Ticker& ticker) {
+void extract_vertex_errors(const Rows& rows, const Surface& surface, const Reduction& reduction,
+                           std::vector<VertexErrors>& errors, Ticker& ticker) {
     errors.assign(rows.groups().size(), {});
     std::vector<double> difference(static_cast<std::size_t>(rows.width()), 0.0);
     const std::size_t vertices = reduction.map.places.size();
@@ -77,11 +78,11 @@ void extract_vertex_errors(const Rows& rows, const Reduction& reduction, std::ve
         const MapPlace& place = reduction.map.places[vertex];
         if (place.triangle == nowhere) continue;
         const glm::uvec3& triangle = reduction.mesh.triangles[place.triangle];
-        const auto input = [&](int corner) { return reduction.vertices[triangle[corner]]; };
+        const auto input = [&](int corner) { return surface.first_copy(reduction.vertices[triangle[corner]]); };
+        const double* row = rows[surface.first_copy(vertex)];
         const glm::dvec3 w = place.barycentric;
         for (std::size_t i = 0; i < difference.size(); ++i)
-            difference[i] =
-                rows[vertex][i] - (w.x * rows[input(0)][i] + w.y * rows[input(1)][i] + w.z * rows[input(2)][i]);
+            difference[i] = row[i] - (w.x * rows[input(0)][i] + w.y * rows[input(1)][i] + w.z * rows[input(2)][i]);
         const glm::dvec3 origin = rows.position(input(0));
         const glm::dvec3 area = glm::cross(rows.position(input(1)) - origin, rows.position(input(2)) - origin);
         const double length = glm::length(area);

@@ -19,7 +19,7 @@ void extract_map(const Surface& surface, const Tracking& tracking, const std::ve
                  const std::vector<std::uint32_t>& renamed_triangle, SurfaceMap& map, Ticker& ticker);
 
 /// The errors of every vertex of the input at its place (reduction.map, reduction.mesh and reduction.vertices are filled).
-void extract_vertex_errors(const Rows& rows, const Reduction& reduction, std::vector<VertexErrors>& errors,
-                           Ticker& ticker);
+void extract_vertex_errors(const Rows& rows, const Surface& surface, const Reduction& reduction,
+                           std::vector<VertexErrors>& errors, Ticker& ticker);
 
 } // namespace meshbound

@@ -17,7 +17,8 @@ namespace meshbound {
 class Multipliers {
 public:
     Multipliers() = default;
-    explicit Multipliers(const Variable* focus);
+    /// `inputs`: by vertex that of the input (see Surface::inputs); empty: all are themselves.
+    explicit Multipliers(const Variable* focus, const std::vector<std::uint32_t>& inputs = {});
 
     bool vary() const { return !at_vertex_.empty(); }
     double least() const { return least_; }

@@ -82,7 +82,8 @@ void Piercing::tidy() {
 }
 
 PlacedTriangle Piercing::placed(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return {{places_[a], places_[b], places_[c]}, {points_[a], points_[b], points_[c]}};
+    const std::uint32_t u = surface_.input(a), v = surface_.input(b), w = surface_.input(c);
+    return {{places_[u], places_[v], places_[w]}, {points_[u], points_[v], points_[w]}};
 }
 
 PlacedTriangle Piercing::placed(std::uint32_t slot) const {
@@ -93,22 +94,26 @@ PlacedTriangle Piercing::placed(const Hole& hole, const NewTriangle& triangle) c
     return placed(hole.ring[at(triangle.a)], hole.ring[at(triangle.m)], hole.ring[at(triangle.b)]);
 }
 
-bool Piercing::pierces(const Hole& hole, const Retriangulation& retriangulation) const {
+bool Piercing::pierces(const std::vector<Filling>& fillings) const {
     std::vector<Boxed> fresh;
-    fresh.reserve(retriangulation.triangles.size());
     BoundingBox whole;
-    for (const NewTriangle& triangle : retriangulation.triangles) {
-        const PlacedTriangle here = placed(hole, triangle);
-        if (collapsed(here)) continue;
-        if (pierces(fresh, here)) return true;
-        fresh.push_back({here, box_of(here)});
-        for (const glm::dvec3& point : here.points) whole.include(point);
-    }
+    for (const auto& [hole, retriangulation] : fillings)
+        for (const NewTriangle& triangle : retriangulation->triangles) {
+            const PlacedTriangle here = placed(*hole, triangle);
+            if (collapsed(here)) continue;
+            if (pierces(fresh, here)) return true;
+            fresh.push_back({here, box_of(here)});
+            for (const glm::dvec3& point : here.points) whole.include(point);
+        }
     return tree_.any(whole, [&](std::uint32_t slot) {
         const std::uint32_t a = surface_.origin(3 * slot), b = surface_.origin(3 * slot + 1),
                             c = surface_.origin(3 * slot + 2);
-        const bool in_star = a == hole.candidate || b == hole.candidate || c == hole.candidate;
-        return !in_star && pierces(fresh, placed(a, b, c));
+        const auto has_corner = [&](const Filling& filling) {
+            const std::uint32_t candidate = filling.hole->candidate;
+            return a == candidate || b == candidate || c == candidate;
+        };
+        const bool vanishes = std::any_of(fillings.begin(), fillings.end(), has_corner);
+        return !vanishes && pierces(fresh, placed(a, b, c));
     });
 }
 

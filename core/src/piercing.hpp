@@ -29,9 +29,14 @@ public:
     /// The surface is that of the mesh, or a reduction of it. Outlives this.
     Piercing(const Mesh& mesh, const Surface& surface);
 
-    /// Whether one of the new triangles of a hole, which is not retriangulated yet, would meet another one or a triangle
-    /// outside the hole.
-    bool pierces(const Hole& hole, const Retriangulation& retriangulation) const;
+    /// A hole and what is to fill it.
+    struct Filling {
+        const Hole* hole;
+        const Retriangulation* retriangulation;
+    };
+    /// Whether one of the new triangles of holes that are filled together, which are not retriangulated yet, would meet
+    /// another one or a triangle outside the holes.
+    bool pierces(const std::vector<Filling>& fillings) const;
 
     /// Takes in that the hole was retriangulated.
     void change(const Hole& hole, const Retriangulation& retriangulation);

@@ -17,6 +17,8 @@ public:
     PropagatedRemoval(const Rows& rows, std::vector<ErrorInterval>& intervals, std::vector<double>& least, Cost cost);
 
     void enter(const Hole& hole) override;
+    /// Closing edges get everything at proportional lengths, which are the same for all.
+    void join(const std::vector<RemovalAccounting*>&, double) override {}
     HoleCost& cost() override { return *this; }
     Measured measure(const Retriangulation& retriangulation, double squared_limit) override;
     void commit(const Retriangulation& retriangulation) override;

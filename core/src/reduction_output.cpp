@@ -32,14 +32,16 @@ Renaming extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduc
                      std::vector<std::uint32_t>(surface.slot_count(), no_index)};
     for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
         if (surface.kind(vertex) == VertexKind::absent) continue;
-        renamed.vertex[vertex] = static_cast<std::uint32_t>(reduction.vertices.size());
-        reduction.vertices.push_back(vertex);
+        const std::uint32_t input = surface.input(vertex); // its copies are neighbours in the numbering
+        if (reduction.vertices.empty() || reduction.vertices.back() != input) reduction.vertices.push_back(input);
+        renamed.vertex[vertex] = static_cast<std::uint32_t>(reduction.vertices.size() - 1);
     }
     for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
         if (!surface.alive(slot)) continue;
         renamed.triangle[slot] = static_cast<std::uint32_t>(reduction.mesh.triangles.size());
         const auto corner = [&](std::uint32_t i) { return renamed.vertex[surface.origin(3 * slot + i)]; };
         reduction.mesh.triangles.push_back({corner(0), corner(1), corner(2)});
+        if (!mesh.regions.empty()) reduction.mesh.regions.push_back(surface.region(slot));
     }
     reduction.mesh.position = gather(mesh.position, reduction.vertices);
     for (const Variable& variable : mesh.variables)
@@ -73,12 +75,13 @@ void extract_errors(const Surface& surface, const Rows& rows, const Accounting& 
 void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate,
                     Report& report) {
     for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
-        if (surface.kind(vertex) == VertexKind::absent) continue;
-        if (!candidate[vertex]) {
+        if (surface.kind(vertex) == VertexKind::absent || surface.first_copy(surface.input(vertex)) != vertex) continue;
+        const std::uint32_t site = surface.site(vertex);
+        if (!candidate[site]) {
             ++report.refused.fixed;
             continue;
         }
-        const Verdict& verdict = sweeper.verdict(vertex);
+        const Verdict& verdict = sweeper.verdict(site);
         if (verdict.refusal == Refusal::topology) ++report.refused.topology;
         if (verdict.refusal == Refusal::fold) ++report.refused.fold;
         if (verdict.refusal == Refusal::piercing) ++report.refused.piercing;

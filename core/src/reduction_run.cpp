@@ -11,6 +11,7 @@
 #include "oriented_segmentation.hpp"
 #include "propagation.hpp"
 #include "reduction_output.hpp"
+#include "seams.hpp"
 #include "sweep.hpp"
 #include "tracking.hpp"
 
@@ -23,13 +24,14 @@ constexpr double sweeping_share = 0.9;
 /// More threads than this would wait for each other.
 constexpr unsigned most_threads = 64;
 
-/// Interior and boundary vertices are candidates unless the user locked them (§3.1: all vertices are candidates).
+/// By vertex, for those that name a site: all sites are candidates but those in which curves meet or end, and those that the
+/// user locked (§3.1: all vertices are candidates).
 std::vector<char> find_candidates(const Mesh& mesh, const Surface& surface, const Options& options) {
     std::vector<char> candidate(surface.vertex_count(), 0);
     for (std::uint32_t vertex = 0; vertex < candidate.size(); ++vertex)
-        candidate[vertex] =
-            surface.kind(vertex) == VertexKind::interior || surface.kind(vertex) == VertexKind::boundary;
-    for (const std::uint32_t vertex : locked_vertices(mesh, options)) candidate[vertex] = 0;
+        candidate[vertex] = surface.site(vertex) == vertex && surface.is_free(vertex);
+    for (const std::uint32_t vertex : locked_vertices(mesh, options))
+        candidate[surface.site(surface.first_copy(vertex))] = 0;
     return candidate;
 }
 
@@ -47,9 +49,9 @@ std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& 
 
 ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities, Ticker& ticker)
     : mesh_(mesh), options_(options), oddities_(oddities), ticker_(ticker), team_(threads_to_use(options)),
-      surface_(mesh.triangles, vertex_count(mesh)) {
+      surface_(mesh.triangles, vertex_count(mesh), mesh.regions) {
     if (surface_.discordant_edges() > 0) orient_surface();
-    non_manifold_vertices_ = surface_.count(VertexKind::fixed);
+    surface_.join_sites(find_seams(mesh, surface_));
 }
 
 void ReductionRun::orient_surface() {
@@ -57,7 +59,7 @@ void ReductionRun::orient_surface() {
     note_turned(orientation, oddities_);
     if (orientation.turned == 0) return;
     oriented_ = std::move(orientation.triangles);
-    surface_ = Surface(oriented_, vertex_count(mesh_));
+    surface_ = Surface(oriented_, vertex_count(mesh_), mesh_.regions);
 }
 
 /// Before anything is removed; later levels keep what the first one kept.
@@ -74,7 +76,7 @@ Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, 
     if (options_.refuse_piercing && !piercing_) piercing_ = std::make_unique<Piercing>(mesh_, surface_);
     Reduction reduction;
     reduction.report = begin_report(mesh_, bounds, oddities_);
-    reduction.report.non_manifold_vertices = non_manifold_vertices_;
+    reduction.report.non_manifold_vertices = surface_.non_manifold_vertices();
     reduction.report.dropped = dropped_;
     if (ticker_.ask()) sweep_and_report(bounds, reduction, span, link);
     if (ticker_.cancelled()) report_cancelled(reduction);
@@ -88,12 +90,13 @@ Mesh ReductionRun::oriented_shape() const {
     Mesh shape;
     shape.position = mesh_.position;
     shape.triangles = oriented_;
+    shape.regions = mesh_.regions;
     return shape;
 }
 
 /// Errors are known in bounds, so other bounds mean other numbers.
 void ReductionRun::set_bounds(const std::vector<ResolvedBound>& bounds) {
-    auto rows = std::make_unique<Rows>(mesh_, bounds, find_focus(mesh_, options_));
+    auto rows = std::make_unique<Rows>(mesh_, bounds, find_focus(mesh_, options_), surface_.inputs());
     if (accounting_) accounting_->measure_in(*rows);
     else accounting_ = make_accounting(options_, *rows, surface_);
     rows_ = std::move(rows);
@@ -142,7 +145,8 @@ void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Re
 std::unique_ptr<LinkedTracking> ReductionRun::link_from_here(std::vector<ResolvedBound> bounds) const {
     for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i].absolute += reached_[i].absolute;
     return std::make_unique<LinkedTracking>(dynamic_cast<Tracking&>(*accounting_),
-                                            Rows(mesh_, bounds, find_focus(mesh_, options_)), surface_, options_);
+                                            Rows(mesh_, bounds, find_focus(mesh_, options_), surface_.inputs()),
+                                            surface_, options_);
 }
 
 /// Everything that a finished result tells; incomplete where the ticker cancels.
@@ -152,7 +156,7 @@ void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking*
     const auto* tracking = dynamic_cast<const Tracking*>(accounting_.get());
     if (!tracking) return;
     extract_map(surface_, *tracking, renamed.vertex, renamed.triangle, reduction.map, ticker_);
-    extract_vertex_errors(*rows_, reduction, reduction.vertex_errors, ticker_);
+    extract_vertex_errors(*rows_, surface_, reduction, reduction.vertex_errors, ticker_);
     if (linked) linked->extract(renamed.vertex, renamed.triangle, reduction.vertices, *link, ticker_);
     if (!options_.count_folds || ticker_.cancelled()) return;
     Segmentation segmentation;

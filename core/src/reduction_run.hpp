@@ -56,7 +56,6 @@ private:
     Surface surface_;
     std::vector<glm::uvec3> oriented_; // the input's triangles where some were turned; empty else
     DroppedParts dropped_;
-    std::size_t non_manifold_vertices_ = 0;
     std::unique_ptr<Rows> rows_;
     std::unique_ptr<Accounting> accounting_;
     std::unique_ptr<OriginalNormals> normals_;

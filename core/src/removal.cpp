@@ -1,50 +1,130 @@
 #include "removal.hpp"
 
+#include <algorithm>
+#include <utility>
+
+#include "indexing.hpp"
+
 namespace meshbound {
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>; // of sites, the lower one first
+
+} // namespace
 
 Removal::Removal(Surface& surface, const Rows& rows, Accounting& accounting, const Guards& guards)
-    : surface_(surface), rows_(rows), accounting_(accounting.removals()), piercing_(guards.piercing),
-      legality_(guards.normals, accounting_->minds_turns()) {}
-
-Verdict Removal::attempt(std::uint32_t candidate, double squared_limit, Effort effort) {
-    gather_star(surface_, candidate, hole_);
-    lay_out(rows_, hole_);
-    if (!legality_.enter(surface_, rows_, hole_)) return {Refusal::topology};
-    accounting_->enter(hole_);
-    if (!retriangulator_.triangulate(hole_, legality_, accounting_->cost(), retriangulation_)) return {Refusal::fold};
-    Trial trial = try_out(squared_limit);
-    if (!trial.accepted(squared_limit) && effort == Effort::thorough) trial = try_fans(squared_limit, trial);
-    if (trial.accepted(squared_limit)) {
-        take();
-        return {};
-    }
-    if (trial.pierces) return {Refusal::piercing};
-    return {Refusal::bound, trial.measured.squared_ratio, trial.measured.variable};
+    : surface_(surface), rows_(rows), accounting_(accounting), guards_(guards) {
+    parts_.push_back(std::make_unique<Part>(accounting, guards));
 }
 
-Removal::Trial Removal::try_out(double squared_limit) {
-    Trial trial{accounting_->measure(retriangulation_, squared_limit)};
-    trial.pierces = piercing_ && trial.accepted(squared_limit) && piercing_->pierces(hole_, retriangulation_);
+Verdict Removal::attempt(std::uint32_t candidate, double squared_limit, Effort effort) {
+    count_ = 0;
+    surface_.for_each_in_site(candidate, [this](std::uint32_t vertex) { open(vertex); });
+    if (!enter()) return {Refusal::topology};
+    if (count_ > 1) joined_.front()->join(joined_, squared_limit);
+    if (!triangulate()) return {Refusal::fold};
+    for (std::size_t n = 0; n < count_; ++n) {
+        const Trial trial = try_part(*parts_[n], squared_limit, effort);
+        if (trial.accepted(squared_limit)) continue;
+        if (trial.pierces) return {Refusal::piercing};
+        return {Refusal::bound, trial.measured.squared_ratio, trial.measured.variable};
+    }
+    if (count_ > 1 && parts_meet()) return {Refusal::topology};
+    if (count_ > 1 && pierces()) return {Refusal::piercing};
+    take();
+    return {};
+}
+
+void Removal::open(std::uint32_t vertex) {
+    if (count_ == parts_.size()) parts_.push_back(std::make_unique<Part>(accounting_, guards_));
+    Part& part = *parts_[count_++];
+    gather_star(surface_, vertex, part.hole);
+    lay_out(rows_, part.hole);
+}
+
+bool Removal::enter() {
+    joined_.clear();
+    for (std::size_t n = 0; n < count_; ++n) {
+        Part& part = *parts_[n];
+        if (!part.legality.enter(surface_, rows_, part.hole)) return false;
+        part.removals->enter(part.hole);
+        joined_.push_back(part.removals.get());
+    }
+    return true;
+}
+
+bool Removal::triangulate() {
+    return std::all_of(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(count_), [](const auto& part) {
+        return part->retriangulator.triangulate(part->hole, part->legality, part->removals->cost(),
+                                                part->retriangulation);
+    });
+}
+
+Removal::Trial Removal::try_part(Part& part, double squared_limit, Effort effort) {
+    const Trial trial = try_out(part, squared_limit);
+    if (trial.accepted(squared_limit) || effort != Effort::thorough) return trial;
+    return try_fans(part, squared_limit, trial);
+}
+
+/// Of several parts, whether they pierce is asked when all of them are known.
+Removal::Trial Removal::try_out(Part& part, double squared_limit) {
+    Trial trial{part.removals->measure(part.retriangulation, squared_limit)};
+    trial.pierces = count_ == 1 && trial.accepted(squared_limit) && pierces();
     return trial;
 }
 
 /// The cheapest retriangulation is the best guess, not the only one within the bounds: the fans (what collapsing a spoke would
 /// give) are few, and leave 2 % fewer triangles. Returns the first that is accepted, else what was refused.
-Removal::Trial Removal::try_fans(double squared_limit, Trial refused) {
-    for (int hub = 0; hub < hole_.size(); ++hub) {
-        if (!retriangulator_.fan(hole_, legality_, hub, retriangulation_)) continue;
-        const Trial trial = try_out(squared_limit);
+Removal::Trial Removal::try_fans(Part& part, double squared_limit, Trial refused) {
+    for (int hub = 0; hub < part.hole.size(); ++hub) {
+        if (!part.retriangulator.fan(part.hole, part.legality, hub, part.retriangulation)) continue;
+        const Trial trial = try_out(part, squared_limit);
         if (trial.accepted(squared_limit)) return trial;
         if (trial.measured.squared_ratio < refused.measured.squared_ratio) refused = trial;
     }
     return refused;
 }
 
+/// Whether new edges of two parts, besides the closing edge, would join the same two sites, or their triangles at the closing
+/// edge the same three.
+bool Removal::parts_meet() const {
+    std::vector<Edge> edges;
+    std::vector<std::uint32_t> tips;
+    for (std::size_t n = 0; n < count_; ++n) {
+        const Hole& hole = parts_[n]->hole;
+        const auto site = [&](int i) { return surface_.site(hole.ring[at(i)]); };
+        for (const NewTriangle& triangle : parts_[n]->retriangulation.triangles)
+            if (triangle.parent < 0) tips.push_back(site(triangle.m));
+            else edges.push_back(std::minmax({site(triangle.a), site(triangle.b)}));
+    }
+    const auto repeats = [](auto& values) {
+        std::sort(values.begin(), values.end());
+        return std::adjacent_find(values.begin(), values.end()) != values.end();
+    };
+    return repeats(edges) || repeats(tips);
+}
+
+bool Removal::pierces() const {
+    if (!guards_.piercing) return false;
+    std::vector<Piercing::Filling> fillings;
+    for (std::size_t n = 0; n < count_; ++n) fillings.push_back({&parts_[n]->hole, &parts_[n]->retriangulation});
+    return guards_.piercing->pierces(fillings);
+}
+
 /// Takes what was tried out last.
 void Removal::take() {
-    surface_.retriangulate(hole_, retriangulation_);
-    accounting_->commit(retriangulation_);
-    if (piercing_) piercing_->change(hole_, retriangulation_);
+    for (std::size_t n = 0; n < count_; ++n) {
+        Part& part = *parts_[n];
+        surface_.retriangulate(part.hole, part.retriangulation);
+        part.removals->commit(part.retriangulation);
+        if (guards_.piercing) guards_.piercing->change(part.hole, part.retriangulation);
+    }
+}
+
+std::size_t Removal::work() const {
+    std::size_t work = 0;
+    for (std::size_t n = 0; n < count_; ++n) work += parts_[n]->removals->work();
+    return std::max<std::size_t>(work, 1);
 }
 
 } // namespace meshbound

@@ -38,6 +38,10 @@ struct Guards {
 };
 
 /// One removal, start to end (§3.1): star, layout, retriangulation, mapping, measurement, and acceptance or nothing.
+///
+/// A candidate on a curve of the input has a copy on every sheet that meets there (see Surface). Their stars are the *parts*
+/// of one removal: all of them go, with one closing edge each between the same two sites and all that was on the curve at the
+/// same share of it, or none does. So the map stays continuous across the curve, and no crack opens.
 class Removal {
 public:
     Removal(Surface& surface, const Rows& rows, Accounting& accounting, const Guards& guards);
@@ -52,12 +56,27 @@ public:
     Verdict attempt(std::uint32_t candidate, double squared_limit, Effort effort);
 
     /// What the last attempt cost in time, in units of a small star.
-    std::size_t work() const { return accounting_->work(); }
+    std::size_t work() const;
 
-    /// The hole of the last attempt: after a removal its ring is what changed.
-    const Hole& hole() const { return hole_; }
+    /// Calls `visit(vertex)` for the ring vertices of the last attempt's holes: after a removal they are what changed.
+    template <class Visit>
+    void for_each_ring_vertex(const Visit& visit) const {
+        for (std::size_t n = 0; n < count_; ++n)
+            for (const std::uint32_t vertex : parts_[n]->hole.ring) visit(vertex);
+    }
 
 private:
+    /// One star with what fills its hole.
+    struct Part {
+        Part(Accounting& accounting, const Guards& guards)
+            : removals(accounting.removals()), legality(guards.normals, removals->minds_turns()) {}
+
+        std::unique_ptr<RemovalAccounting> removals;
+        Hole hole;
+        Legality legality;
+        Retriangulator retriangulator;
+        Retriangulation retriangulation;
+    };
     /// A retriangulation that was looked at.
     struct Trial {
         Measured measured;
@@ -65,18 +84,23 @@ private:
 
         bool accepted(double squared_limit) const { return measured.squared_ratio <= squared_limit && !pierces; }
     };
-    Trial try_out(double squared_limit);
-    Trial try_fans(double squared_limit, Trial refused);
+    void open(std::uint32_t vertex);
+    bool enter();
+    bool triangulate();
+    Trial try_part(Part& part, double squared_limit, Effort effort);
+    Trial try_out(Part& part, double squared_limit);
+    Trial try_fans(Part& part, double squared_limit, Trial refused);
+    bool parts_meet() const;
+    bool pierces() const;
     void take();
 
     Surface& surface_;
     const Rows& rows_;
-    std::unique_ptr<RemovalAccounting> accounting_;
-    Piercing* piercing_;
-    Hole hole_;
-    Legality legality_;
-    Retriangulator retriangulator_;
-    Retriangulation retriangulation_;
+    Accounting& accounting_;
+    Guards guards_;
+    std::vector<std::unique_ptr<Part>> parts_;
+    std::size_t count_ = 0; // of the parts, those of this attempt
+    std::vector<RemovalAccounting*> joined_;
 };
 
 } // namespace meshbound

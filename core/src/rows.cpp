@@ -27,19 +27,23 @@ double centre_of(const Variable& variable, int component) {
     return lowest + (highest - lowest) / 2;
 }
 
-void fill(const Variable& variable, const RowGroup& group, double unit, std::size_t width, std::vector<double>& rows) {
+void fill(const Variable& variable, const RowGroup& group, double unit, std::size_t width,
+          const std::vector<std::uint32_t>& inputs, std::vector<double>& rows) {
     const std::size_t vertices = rows.size() / width;
     for (int component = 0; component < group.count; ++component) {
         const double centre = centre_of(variable, component);
         const auto column = static_cast<std::size_t>(group.first + component);
         for (std::size_t vertex = 0; vertex < vertices; ++vertex)
-            rows[vertex * width + column] = (value_at(variable, vertex, component) - centre) / unit;
+            rows[vertex * width + column] =
+                (value_at(variable, inputs.empty() ? vertex : inputs[vertex], component) - centre) / unit;
     }
 }
 
 } // namespace
 
-Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* focus) : multipliers_(focus) {
+Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* focus,
+           const std::vector<std::uint32_t>& inputs)
+    : multipliers_(focus, inputs) {
     const auto variable = [&](std::size_t i) -> const Variable& {
         return i == 0 ? mesh.position : mesh.variables[i - 1];
     };
@@ -51,9 +55,10 @@ Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Var
         margin = std::max(margin, rounding_margin(bounds[i]));
     }
     limit_ = 1 - margin / multipliers_.least();
-    values_.resize(vertex_count(mesh) * static_cast<std::size_t>(width_));
+    const std::size_t vertices = inputs.empty() ? vertex_count(mesh) : inputs.size();
+    values_.resize(vertices * static_cast<std::size_t>(width_));
     for (const RowGroup& group : groups_)
-        fill(variable(group.variable), group, unit(group), static_cast<std::size_t>(width_), values_);
+        fill(variable(group.variable), group, unit(group), static_cast<std::size_t>(width_), inputs, values_);
 }
 
 double rounding_margin(const ResolvedBound& bound) {

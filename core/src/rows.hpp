@@ -27,7 +27,9 @@ class Rows {
 public:
     Rows() = default;
     /// `focus`: the mesh's variable that multiplies the bounds; null: none does (see Options::focus).
-    Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* focus = nullptr);
+    /// `inputs`: by row the vertex of the mesh (see Surface::inputs); empty: all are themselves.
+    Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* focus = nullptr,
+         const std::vector<std::uint32_t>& inputs = {});
 
     const double* operator[](std::uint32_t vertex) const { return &values_[vertex * std::size_t(width_)]; }
     int width() const { return width_; }

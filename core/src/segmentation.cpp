@@ -50,7 +50,7 @@ bool repeats_vertex(const glm::uvec3& triangle) {
 
 bool cut_into_cells(const MappedSurfaces& surfaces, Segmentation& segmentation, Ticker& ticker) {
     const std::vector<glm::uvec3>& triangles = surfaces.original.triangles;
-    const Faces faces(surfaces.reduced.triangles);
+    const Faces faces(surfaces.reduced);
     const Outlines outlines(surfaces, faces);
     CellCutter cutter(faces);
     Outline outline;
@@ -112,7 +112,15 @@ glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCe
         return place_on_edge(triangle, crossing.reduced, crossing.t);
     }
     const auto kept = std::lower_bound(surfaces.vertices.begin(), surfaces.vertices.end(), corner);
-    if (kept == surfaces.vertices.end() || *kept != corner) return surfaces.map.places[corner].barycentric;
+    if (kept == surfaces.vertices.end() || *kept != corner) {
+        const MapPlace& place = surfaces.map.places[corner];
+        if (place.triangle == cell.reduced) return place.barycentric;
+        // On a curve, and named in a triangle of another sheet than the cell's.
+        glm::dvec3 here(0);
+        for (int i = 0; i < 3; ++i)
+            here += place.barycentric[i] * place_at_vertex(triangle, surfaces.reduced.triangles[place.triangle][i]);
+        return here;
+    }
     return place_at_vertex(triangle, static_cast<std::uint32_t>(kept - surfaces.vertices.begin()));
 }
 

@@ -132,11 +132,34 @@ void CellCutter::cut_off(Step from, Step to) {
     (*outline_)[to].before = (*outline_)[to].after;
 }
 
+/// The reduced triangle that holds a run of nothing but kept vertices and such on curves.
+std::uint32_t CellCutter::triangle_that_holds(Step from, Step to) const {
+    std::vector<std::uint32_t> corners;
+    const auto add = [&corners](std::uint32_t vertex) {
+        if (std::find(corners.begin(), corners.end(), vertex) == corners.end()) corners.push_back(vertex);
+    };
+    const auto add_step = [&](Step step) {
+        const OutlineStep& here = (*outline_)[step];
+        for (const std::uint32_t vertex : {here.kept, here.curve.x, here.curve.y})
+            if (vertex != nowhere) add(vertex);
+    };
+    Step step = from;
+    do {
+        add_step(step);
+        step = next_[step];
+    } while (step != to);
+    add_step(to);
+    if (corners.size() < 2) return nowhere; // no room for a cell
+    if (corners.size() > 2) return faces_->of(corners[0], corners[1], corners[2]);
+    const std::uint32_t left = faces_->left_of(corners.front(), corners.back());
+    return left != nowhere ? left : faces_->left_of(corners.back(), corners.front());
+}
+
 /// The cell of a run, or of all that is left if its ends are one. Two steps leave no room for a cell between them.
 void CellCutter::add_cell(Step from, Step to, std::uint32_t reduced) {
     SegmentationCell cell;
     cell.original = triangle_;
-    cell.reduced = reduced;
+    cell.reduced = reduced != nowhere ? reduced : triangle_that_holds(from, to);
     cell.first_corner = static_cast<std::uint32_t>(out_->corners.size());
     Step step = from;
     do {

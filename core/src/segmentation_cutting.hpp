@@ -44,6 +44,7 @@ private:
     std::vector<Step> kept_steps_left() const;
     bool ends_at(Step crossing, Step kept) const;
     std::uint32_t triangle_of_run(Step from, Step to) const;
+    std::uint32_t triangle_that_holds(Step from, Step to) const;
     void cut_off(Step from, Step to);
     void add_cell(Step from, Step to, std::uint32_t reduced);
 

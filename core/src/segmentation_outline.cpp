@@ -10,7 +10,7 @@ std::uint64_t edge_key(std::uint32_t lower, std::uint32_t upper) { return std::u
 } // namespace
 
 Outlines::Outlines(const MappedSurfaces& surfaces, const Faces& reduced_faces)
-    : original_(&surfaces.original), map_(&surfaces.map), faces_(&reduced_faces),
+    : original_(&surfaces.original), reduced_(&surfaces.reduced), map_(&surfaces.map), faces_(&reduced_faces),
       kept_as_(surfaces.map.places.size(), nowhere) {
     for (std::uint32_t v = 0; v < surfaces.vertices.size(); ++v) kept_as_[surfaces.vertices[v]] = v;
     crossings_.reserve(map_->crossings.size());
@@ -35,8 +35,22 @@ void Outlines::add_vertex(std::uint32_t vertex, Outline& outline) const {
     OutlineStep step;
     step.corner = vertex;
     step.kept = kept_as_[vertex];
-    if (!step.is_kept()) step.before = step.after = map_->places[vertex].triangle;
+    if (!step.is_kept()) {
+        step.curve = curve_at(map_->places[vertex]);
+        if (!step.is_on_curve()) step.before = step.after = map_->places[vertex].triangle;
+    }
     outline.push_back(step);
+}
+
+/// The edge at which sheets meet and on which a place lies, or nowhere.
+glm::uvec2 Outlines::curve_at(const MapPlace& place) const {
+    const glm::uvec3& triangle = reduced_->triangles[place.triangle];
+    for (int i = 0; i < 3; ++i) {
+        if (place.barycentric[i] != 0) continue;
+        const glm::uvec2 edge(triangle[(i + 1) % 3], triangle[(i + 2) % 3]);
+        if (faces_->is_curve(edge.x, edge.y)) return edge;
+    }
+    return glm::uvec2(nowhere);
 }
 
 void Outlines::add_crossings(std::uint32_t from, std::uint32_t to, Outline& outline) const {

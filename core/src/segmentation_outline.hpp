@@ -18,10 +18,12 @@ struct OutlineStep {
     std::uint32_t kept = nowhere; ///< of a kept vertex: the vertex of the reduced mesh
     glm::uvec2 crossed{nowhere};  ///< of a crossing: the reduced edge
     /// The reduced triangle that it comes from and the one it goes to; nowhere at a kept vertex, where the way may
-    /// turn.
+    /// turn, and at a vertex on a curve, which is in a triangle of each sheet.
     std::uint32_t before = nowhere, after = nowhere;
+    glm::uvec2 curve{nowhere}; ///< of a removed vertex on a curve: the reduced edge where it lies
 
     bool is_kept() const { return kept != nowhere; }
+    bool is_on_curve() const { return curve.x != nowhere; }
     bool is_crossing() const { return crossed.x != nowhere; }
 };
 using Outline = std::vector<OutlineStep>;
@@ -35,10 +37,12 @@ public:
     void trace(std::uint32_t triangle, Outline& outline) const;
 
 private:
+    glm::uvec2 curve_at(const MapPlace& place) const;
     void add_vertex(std::uint32_t vertex, Outline& outline) const;
     void add_crossings(std::uint32_t from, std::uint32_t to, Outline& outline) const;
 
     const Mesh* original_;
+    const Mesh* reduced_;
     const SurfaceMap* map_;
     const Faces* faces_;
     std::vector<std::uint32_t> kept_as_;                             // by original vertex: the reduced one, or nowhere

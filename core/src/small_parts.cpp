@@ -35,12 +35,13 @@ private:
 };
 
 Sets find_parts(const Mesh& mesh, const Surface& surface) {
-    Sets parts(surface.vertex_count());
+    Sets parts(surface.input_count());
+    const auto corner = [&](std::uint32_t h) { return surface.input(surface.origin(h)); };
     for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
-        parts.join(surface.origin(3 * slot), surface.origin(3 * slot + 1));
-        parts.join(surface.origin(3 * slot), surface.origin(3 * slot + 2));
+        parts.join(corner(3 * slot), corner(3 * slot + 1));
+        parts.join(corner(3 * slot), corner(3 * slot + 2));
     }
-    std::vector<std::uint32_t> by_place(surface.vertex_count());
+    std::vector<std::uint32_t> by_place(surface.input_count());
     std::iota(by_place.begin(), by_place.end(), 0U);
     const auto place = [&](std::uint32_t vertex) {
         const glm::dvec3 p = place_of(mesh, vertex);
@@ -61,15 +62,16 @@ struct Part {
     double size() const { return lowest.x <= highest.x ? glm::distance(lowest, highest) : -1; }
 };
 
-/// By the vertex that names the part.
+/// By the vertex of the input that names the part.
 std::vector<Part> measure_parts(const Mesh& mesh, const Multipliers& multipliers, const Surface& surface, Sets& sets) {
-    std::vector<Part> parts(surface.vertex_count());
+    std::vector<Part> parts(surface.input_count());
     for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
         if (surface.kind(vertex) == VertexKind::absent) continue;
-        Part& part = parts[sets.of(vertex)];
-        part.lowest = glm::min(part.lowest, place_of(mesh, vertex));
-        part.highest = glm::max(part.highest, place_of(mesh, vertex));
-        part.multiplier = std::min(part.multiplier, multipliers.at(vertex));
+        const std::uint32_t input = surface.input(vertex);
+        Part& part = parts[sets.of(input)];
+        part.lowest = glm::min(part.lowest, place_of(mesh, input));
+        part.highest = glm::max(part.highest, place_of(mesh, input));
+        part.multiplier = std::min(part.multiplier, multipliers.at(input));
     }
     return parts;
 }
@@ -89,7 +91,7 @@ DroppedParts drop_small_parts(const Mesh& mesh, double bound, const Multipliers&
     std::vector<char> vertices(surface.vertex_count(), 0);
     std::vector<char> counted(parts.size(), 0);
     for (std::uint32_t vertex = 0; vertex < vertices.size(); ++vertex) {
-        const std::uint32_t name = sets.of(vertex);
+        const std::uint32_t name = sets.of(surface.input(vertex));
         const Part& part = parts[name];
         if (surface.kind(vertex) == VertexKind::absent || part.kept || part.size() > bound * part.multiplier) continue;
         vertices[vertex] = 1;

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <limits>
-#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -21,7 +21,6 @@ enum class VertexKind : std::uint8_t {
     absent,   ///< in no triangle, or removed
     interior, ///< its triangles form one closed fan
     boundary, ///< its triangles form one open fan
-    fixed,    ///< anything else: non-manifold edges, bow-ties; never a candidate
 };
 
 /// The current surface: who borders whom. A corner table: triangle t has the half-edges 3t, 3t + 1, 3t + 2; half-edge h
@@ -29,12 +28,19 @@ enum class VertexKind : std::uint8_t {
 ///
 ///     triangles {0,1,2}, {0,2,3}:  half-edges 0: 0→1, 1: 1→2, 2: 2→0, 3: 0→2, 4: 2→3, 5: 3→0;  twin(2) = 3
 ///
-/// Edges that do not have exactly two half-edges of opposite direction have no twins: boundary where there is one half-edge,
-/// non-manifold else, and then their vertices are fixed. Triangles with a repeated vertex are left out.
+/// It consists of *sheets*, which are manifold whatever the input is: it is cut open along *curves*, the edges that do not have
+/// exactly two half-edges of opposite direction in triangles of one region, and each fan of triangles around a vertex of the
+/// input has a vertex of its own, a *copy* (an input without such edges and without bow-ties has one copy of each vertex).
+/// Copies are numbered in the order of the input's vertices. The copies of one vertex, and of vertices on seams in one place
+/// (see find_seams), form a *site*: they are removed together or not at all, so that sheets stay joined as they are.
+///
+/// Triangles with a repeated vertex are left out.
 class Surface {
 public:
     Surface() = default;
-    Surface(const std::vector<glm::uvec3>& triangles, std::size_t vertices);
+    /// `regions`: a label a triangle, or none.
+    Surface(const std::vector<glm::uvec3>& triangles, std::size_t vertices,
+            const std::vector<std::int32_t>& regions = {});
 
     static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
     static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -60,10 +66,34 @@ public:
     std::size_t edge_count() const { return edge_count_; }
     /// Edges that two triangles run along in the same direction, at the start.
     std::size_t discordant_edges() const { return discordant_edges_; }
-    std::size_t count(VertexKind kind) const;
+    /// Vertices of the input on edges of three or more triangles or of two that disagree, and in bow-ties.
+    std::size_t non_manifold_vertices() const { return non_manifold_vertices_; }
 
-    /// Whether two fixed vertices are joined by an edge (the fans of fixed vertices cannot be walked).
-    bool fixed_edge_exists(std::uint32_t a, std::uint32_t b) const;
+    /// The vertex of the input that a vertex is a copy of, and that vertex's first copy.
+    std::uint32_t input(std::uint32_t vertex) const { return inputs_.empty() ? vertex : inputs_[vertex]; }
+    std::uint32_t first_copy(std::uint32_t input) const { return first_copy_.empty() ? input : first_copy_[input]; }
+    std::size_t input_count() const { return first_copy_.empty() ? kind_.size() : first_copy_.size(); }
+    /// By vertex; empty where every vertex is its only copy.
+    const std::vector<std::uint32_t>& inputs() const { return inputs_; }
+    /// The label of a triangle; 0 where there are none. A new triangle has that of the star it fills.
+    std::int32_t region(std::uint32_t slot) const { return regions_.empty() ? 0 : regions_[slot]; }
+
+    /// The vertex that names a site: the lowest of its vertices.
+    std::uint32_t site(std::uint32_t vertex) const { return sites_.empty() ? vertex : sites_[vertex]; }
+    bool has_sites() const { return !sites_.empty(); }
+    /// Calls `visit(vertex)` for every vertex of a site, whichever of them is given, in the order of the numbers.
+    template <class Visit>
+    void for_each_in_site(std::uint32_t vertex, const Visit& visit) const {
+        if (sites_.empty()) return visit(vertex);
+        for (std::uint32_t v = sites_[vertex]; v != no_index; v = next_in_site_[v]) visit(v);
+    }
+    /// Makes vertices those of one site, before anything is removed: each list of pairs is one call.
+    void join_sites(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
+    /// Whether a site may go: a vertex inside a sheet or on its boundary, or the vertices of a curve between the same two
+    /// neighbours on every sheet. Not where curves meet or end, nor in bow-ties.
+    bool is_free(std::uint32_t vertex) const;
+    /// Whether a triangle of these three sites exists.
+    bool triangle_exists(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
     /// Replaces the star of the hole's candidate by the new triangles; they take the slots of the first of the old ones,
     /// the diagonals (and the closing edge) take edges of the vanished spokes. The hole is brought up to date: `new_slots`
@@ -86,15 +116,19 @@ private:
     void refresh_vertices(const NewTriangle& triangle);
     void pair_half_edges();
     void pair(std::uint32_t h, std::uint32_t g);
-    void classify();
-    void remember_fixed_edges();
+    void cut_borders();
+    std::size_t classify();
+    void split_vertices();
     std::uint32_t fan_length(std::uint32_t start) const;
+    std::uint32_t last_in_fan(std::uint32_t vertex) const;
 
     std::vector<std::uint32_t> origin_, twin_, edge_; // by half-edge
     std::vector<std::uint32_t> outgoing_;             // by vertex
     std::vector<VertexKind> kind_;                    // by vertex
-    std::unordered_set<std::uint64_t> fixed_edges_;   // between fixed vertices; such edges never vanish
-    std::size_t edge_count_ = 0, discordant_edges_ = 0;
+    std::vector<std::int32_t> regions_;               // by slot; empty where there are none
+    std::vector<std::uint32_t> inputs_, first_copy_;  // by vertex, by vertex of the input; empty: all are themselves
+    std::vector<std::uint32_t> sites_, next_in_site_; // by vertex; empty: all sites are single vertices
+    std::size_t edge_count_ = 0, discordant_edges_ = 0, non_manifold_vertices_ = 0;
 };
 
 } // namespace meshbound

@@ -141,12 +141,16 @@ bool Sweeper::take_patch(const Sweep& sweep, const Patches& patches, std::size_t
     return true;
 }
 
-/// Whether the ring of a vertex lies in the same patch. Vertices beside fixed ones never do: all patches look at the edges
-/// between these.
+/// Whether the rings of all vertices of a site lie in the same patch.
 bool Sweeper::lies_within(std::uint32_t vertex, const Patches& patches, std::size_t number) const {
-    const auto within = [&](std::uint32_t neighbour) {
-        return surface_.kind(neighbour) != VertexKind::fixed && patches.at(rows_.position(neighbour)) == number;
-    };
+    bool within = true;
+    surface_.for_each_in_site(vertex,
+                              [&](std::uint32_t copy) { within = within && ring_lies_within(copy, patches, number); });
+    return within;
+}
+
+bool Sweeper::ring_lies_within(std::uint32_t vertex, const Patches& patches, std::size_t number) const {
+    const auto within = [&](std::uint32_t neighbour) { return patches.at(rows_.position(neighbour)) == number; };
     const std::uint32_t first = surface_.outgoing(vertex);
     std::uint32_t spoke = first;
     do {
@@ -172,11 +176,12 @@ void Sweeper::attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal
     verdicts_[vertex] = removal.attempt(vertex, sweep.squared_limit, sweep.effort);
     if (verdicts_[vertex].refusal != Refusal::none) return;
     candidate_[vertex] = 0;
-    for (const std::uint32_t neighbour : removal.hole().ring) {
+    removal.for_each_ring_vertex([&](std::uint32_t copy) {
+        const std::uint32_t neighbour = surface_.site(copy);
         fresh_[neighbour] = 1;
         touched_[neighbour] = round_;
         queue(neighbour, next);
-    }
+    });
 }
 
 /// Only the caller's own thread reports to it.

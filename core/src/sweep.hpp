@@ -22,7 +22,7 @@ namespace meshbound {
 /// number of threads.
 class Sweeper {
 public:
-    /// `candidate[v]`: whether vertex v may go at all.
+    /// `candidate[v]`: whether the site that vertex v names may go at all.
     Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate, Team& team,
             const Guards& guards);
 
@@ -54,6 +54,7 @@ private:
     bool take_whole(const Sweep& sweep, const Queue& round);
     bool take_in_patches(const Sweep& sweep, const Queue& round);
     bool take_patch(const Sweep& sweep, const Patches& patches, std::size_t number, std::size_t member, Patch& patch);
+    bool ring_lies_within(std::uint32_t vertex, const Patches& patches, std::size_t number) const;
     bool lies_within(std::uint32_t vertex, const Patches& patches, std::size_t number) const;
     void take(const Sweep& sweep, std::uint32_t vertex, std::size_t member, Queue& next);
     void attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal, Queue& next);

@@ -7,8 +7,8 @@ namespace meshbound {
 TrackedRemoval::TrackedRemoval(const Rows& rows, const MeasuredRows& measured_rows, const Surface& surface,
                                TrackedMap& map, const Options& options)
     : rows_(rows), measured_rows_(measured_rows), surface_(surface), map_(map), supply_(map.crossings),
-      content_(surface), products_(measured_rows), cost_(measured_rows, products_),
-      settling_(measured_rows, products_, options.choose_places),
+      choose_places_(options.choose_places), content_(surface), products_(measured_rows),
+      cost_(measured_rows, products_), settling_(measured_rows, products_, options.choose_places),
       laying_(measured_rows, map, options.choose_crossings) {}
 
 void TrackedRemoval::enter(const Hole& hole) {
@@ -16,6 +16,15 @@ void TrackedRemoval::enter(const Hole& hole) {
     content_.enter(rows_, surface_, map_.residents, hole);
     products_.enter(hole, content_.vertices());
     cost_.enter(hole, content_.vertices());
+}
+
+void TrackedRemoval::join(const std::vector<RemovalAccounting*>& parts, double squared_limit) {
+    std::vector<ClosingShares::Part> joined;
+    for (RemovalAccounting* part : parts) {
+        auto& tracked = static_cast<TrackedRemoval&>(*part);
+        joined.push_back({tracked.hole_, &tracked.content_});
+    }
+    ClosingShares(surface_, measured_rows_, choose_places_).agree(joined, squared_limit);
 }
 
 std::size_t TrackedRemoval::work() const { return 1 + content_.vertices().size() / 8; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accounting.hpp"
+#include "closing_shares.hpp"
 #include "hole_content.hpp"
 #include "hole_products.hpp"
 #include "hole_tree.hpp"
@@ -22,6 +23,7 @@ public:
                    const Options& options);
 
     void enter(const Hole& hole) override;
+    void join(const std::vector<RemovalAccounting*>& parts, double squared_limit) override;
     HoleCost& cost() override { return cost_; }
     Measured measure(const Retriangulation& retriangulation, double squared_limit) override;
     void commit(const Retriangulation& retriangulation) override;
@@ -37,6 +39,7 @@ private:
     const Surface& surface_;
     TrackedMap& map_;
     Crossings::Supply supply_;
+    bool choose_places_;
     HoleContent content_;
     HoleProducts products_;
     TrackedCost cost_;

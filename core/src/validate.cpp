@@ -45,6 +45,12 @@ Status check_triangles(const Mesh& mesh) {
                         "", t};
         any = any || (triangle.x != triangle.y && triangle.y != triangle.z && triangle.z != triangle.x);
     }
+    if (!mesh.regions.empty() && mesh.regions.size() != mesh.triangles.size())
+        return {Fault::wrong_value_count,
+                "There are " + std::to_string(mesh.regions.size()) + " labels of regions for " +
+                    std::to_string(mesh.triangles.size()) + " triangles; there must be one for each.",
+                "",
+                {}};
     if (!any) return {Fault::no_triangles, "The mesh has no triangle with three distinct vertices.", "", {}};
     return {};
 }

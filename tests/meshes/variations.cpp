@@ -63,7 +63,7 @@ meshbound::Variable rounded(const meshbound::Variable& variable) {
 } // namespace
 
 Mesh in_single(const Mesh& mesh) {
-    Mesh single{rounded(mesh.position), mesh.triangles, {}};
+    Mesh single{rounded(mesh.position), mesh.triangles, {}, mesh.regions};
     for (const meshbound::Variable& variable : mesh.variables) single.variables.push_back(rounded(variable));
     return single;
 }
@@ -100,7 +100,7 @@ Mesh shuffled(const Mesh& mesh, std::uint64_t seed) {
     Random random(seed);
     const auto vertex_order = permutation(vertex_count(mesh), random);
     const auto triangle_order = permutation(mesh.triangles.size(), random);
-    Mesh result{reordered(mesh.position, vertex_order), mesh.triangles, {}};
+    Mesh result{reordered(mesh.position, vertex_order), mesh.triangles, {}, {}};
     for (const auto& variable : mesh.variables) result.variables.push_back(reordered(variable, vertex_order));
     for (std::size_t i = 0; i < triangle_order.size(); ++i) {
         const glm::uvec3 t = mesh.triangles[triangle_order[i]];

@@ -107,7 +107,7 @@ export class Correspondence {
 
   /** Where it lies in the piece's reduced triangle. */
   #onReduced = (corner: number, piece: number): Shares => {
-    const { mesh, vertices, map } = this.#reduction;
+    const { mesh, map } = this.#reduction;
     const host = this.#segmentation.reduced[piece];
     if (corner >= map.triangle.length) {
       const crossing = corner - map.triangle.length;
@@ -115,9 +115,12 @@ export class Correspondence {
       return onEdge(mesh.triangles, host, from, to, map.crossingPlaces[2 * crossing + 1]);
     }
     if (map.triangle[corner] === host) return sharesAt(map.barycentric, corner);
-    // A vertex that was kept lies in every triangle around it; the map names one.
-    const kept = [0, 1, 2].map((each) => (vertices[mesh.triangles[3 * host + each]] === corner ? 1 : 0));
-    return [kept[0], kept[1], kept[2]];
+    // A kept vertex lies in every triangle around it, and one on a border in a triangle on each side; the map names one.
+    const [named, shares] = [map.triangle[corner], sharesAt(map.barycentric, corner)];
+    const shareOf = (vertex: number) =>
+      shares.reduce((sum, share, each) => (mesh.triangles[3 * named + each] === vertex ? sum + share : sum), 0);
+    const [a, b, c] = [0, 1, 2].map((each) => shareOf(mesh.triangles[3 * host + each]));
+    return [a, b, c];
   };
 }
 

@@ -37,6 +37,9 @@ struct Mesh {
     Variable position{"position", 3, std::vector<float>{}};
     std::vector<glm::uvec3> triangles;
     std::vector<Variable> variables;
+    /// A label for each triangle, or none at all. Where labels differ the surface has a border, which is kept within the
+    /// bounds: each side keeps its label, and so do the corners in which borders meet or end.
+    std::vector<std::int32_t> regions;
 };
 
 /// How many numbers a variable holds, over all vertices and components.

@@ -1,0 +1,323 @@
+// Curves in which sheets meet, borders of regions, seams, edges of three or more triangles: they get shorter on all sheets
+// at once, so that nothing opens, and each side keeps its own.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "map_certificate.hpp"
+#include "meshes/fields.hpp"
+#include "meshes/oddities.hpp"
+#include "meshes/shapes.hpp"
+#include "meshes/variations.hpp"
+#include "modes.hpp"
+#include "promise.hpp"
+
+namespace {
+
+using namespace meshbound;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+class Curves : public ModeTest {
+protected:
+    Reduction reduce(const Mesh& mesh, const Bounds& bounds = promise::percent(2, 8)) const {
+        return promise::reduced(mesh, bounds, GetParam().options());
+    }
+};
+EVERY_MODE(Curves);
+
+Mesh with_fields(Mesh mesh) {
+    meshes::add_usual_fields(mesh);
+    return mesh;
+}
+
+/// Labelled by the place of each triangle's centre.
+Mesh labelled(Mesh mesh, const std::function<std::int32_t(glm::dvec3)>& label) {
+    mesh.regions.clear();
+    for (const glm::uvec3& t : mesh.triangles)
+        mesh.regions.push_back(
+            label((meshes::point(mesh, t.x) + meshes::point(mesh, t.y) + meshes::point(mesh, t.z)) / 3.0));
+    return mesh;
+}
+
+/// The triangles of one label, with all vertices.
+Mesh region(const Mesh& mesh, std::int32_t label) {
+    Mesh part = mesh;
+    part.triangles.clear();
+    part.regions.clear();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        if (mesh.regions[t] == label) part.triangles.push_back(mesh.triangles[t]);
+    return part;
+}
+
+/// Edges between two labels, and the labels at each vertex.
+std::set<Edge> border(const Mesh& mesh) {
+    std::map<Edge, std::set<std::int32_t>> labels;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (int i = 0; i < 3; ++i)
+            labels[std::minmax(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3])].insert(mesh.regions[t]);
+    std::set<Edge> found;
+    for (const auto& [edge, sides] : labels)
+        if (sides.size() > 1) found.insert(edge);
+    return found;
+}
+
+std::map<std::uint32_t, std::set<std::int32_t>> labels_at_vertices(const Mesh& mesh) {
+    std::map<std::uint32_t, std::set<std::int32_t>> labels;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (int i = 0; i < 3; ++i) labels[mesh.triangles[t][i]].insert(mesh.regions[t]);
+    return labels;
+}
+
+/// Each region is within the bounds of itself, its outline within those of its outline, its topology what it was; vertices
+/// have the labels that they had.
+void expect_regions(const Mesh& mesh, const Reduction& reduction) {
+    ASSERT_EQ(reduction.mesh.regions.size(), reduction.mesh.triangles.size());
+    for (const std::int32_t label : std::set<std::int32_t>(mesh.regions.begin(), mesh.regions.end())) {
+        SCOPED_TRACE(label);
+        Reduction part;
+        part.mesh = region(reduction.mesh, label);
+        part.report = reduction.report;
+        const Mesh original = region(mesh, label);
+        promise::expect_judge_agrees(original, part, 5'000);
+        EXPECT_EQ(meshes::topology(part.mesh), meshes::topology(original));
+    }
+    const auto before = labels_at_vertices(mesh);
+    const auto after = labels_at_vertices(reduction.mesh);
+    for (const auto& [vertex, labels] : after) EXPECT_EQ(labels, before.at(reduction.vertices[vertex])) << vertex;
+    for (const auto& [vertex, labels] : before)
+        if (labels.size() > 2) {
+            EXPECT_TRUE(std::binary_search(reduction.vertices.begin(), reduction.vertices.end(), vertex))
+                << "a corner of " << labels.size() << " regions";
+        }
+}
+
+std::int32_t halves(glm::dvec3 p) { return p.x + 0.3 * p.y < 0.31 ? -7 : 4; }
+std::int32_t wedges(glm::dvec3 p) {
+    const double x = p.x - 0.47, y = p.y - 0.52;
+    return (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0) + (p.z > 0.7 ? 4 : 0);
+}
+/// An island, and a ring around it.
+std::int32_t island(glm::dvec3 p) {
+    const double distance = std::hypot(p.x - 0.5, p.y - 0.5);
+    return distance < 0.2 ? 2 : distance < 0.35 ? 1 : 0;
+}
+/// Labels by chance: borders everywhere, in every configuration.
+std::int32_t noise(glm::dvec3 p) {
+    return static_cast<std::int32_t>(std::floor(1e4 * std::abs(std::sin(1e3 * p.x + 777 * p.y + 55 * p.z)))) % 3;
+}
+
+TEST_P(Curves, BordersOfRegionsAreKeptWithinTheBounds) {
+    for (const auto& labels : {halves, wedges, island})
+        for (const Mesh& plain :
+             {meshes::plane(20, 20), meshes::terrain(5, 3), meshes::noisy_sphere(10, 0.03, 5), meshes::torus(24, 12)}) {
+            const Mesh mesh = labelled(with_fields(plain), labels);
+            const Reduction reduction = reduce(mesh);
+            promise::expect_everything(mesh, reduction, 5'000);
+            expect_regions(mesh, reduction);
+            EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size());
+        }
+}
+
+TEST_P(Curves, BordersGetShorter) {
+    const Mesh mesh = labelled(meshes::plane(24, 24), [](glm::dvec3 p) { return p.x < 0.5 ? 1 : 2; });
+    const Reduction reduction = reduce(mesh, {{"position", relative(1e-3)}});
+    EXPECT_EQ(border(mesh).size(), 24U);
+    EXPECT_EQ(border(reduction.mesh).size(), 1U);
+    EXPECT_EQ(reduction.mesh.triangles.size(), 4U) << "two for each side";
+    const Mesh round = labelled(meshes::sphere(16), [](glm::dvec3 p) { return p.z < 0.1 ? 0 : 1; });
+    EXPECT_LT(border(reduce(round, {{"position", relative(0.02)}}).mesh).size(), border(round).size() / 2);
+}
+
+TEST_P(Curves, ManySmallRegionsKeepTheirTopology) {
+    for (const Mesh& plain : {meshes::plane(12, 12), meshes::sphere(6)}) {
+        const Mesh mesh = labelled(with_fields(plain), noise);
+        const Reduction reduction = reduce(mesh, promise::percent(20, 50));
+        promise::expect_everything(mesh, reduction, 5'000);
+        expect_regions(mesh, reduction);
+    }
+}
+
+TEST_P(Curves, OneLabelForAllChangesNothing) {
+    const Mesh plain = with_fields(meshes::noisy_sphere(8, 0.05, 3));
+    Mesh mesh = labelled(plain, [](glm::dvec3) { return 9; });
+    const Reduction with = reduce(mesh), without = reduce(plain);
+    EXPECT_TRUE(promise::same_bits(with.mesh, without.mesh));
+    EXPECT_EQ(with.mesh.regions, std::vector<std::int32_t>(with.mesh.triangles.size(), 9));
+}
+
+TEST_P(Curves, TwoHalvesOfABallDoNotCollapseIntoOneTriangle) {
+    const Mesh mesh = labelled(meshes::sphere(4), [](glm::dvec3 p) { return p.z < 0 ? 0 : 1; });
+    const Reduction reduction = reduce(mesh, {{"position", relative(1)}});
+    promise::expect_same_topology(mesh, reduction);
+    EXPECT_GE(reduction.mesh.triangles.size(), 4U);
+    std::set<std::set<std::uint32_t>> triangles;
+    for (const glm::uvec3& t : reduction.mesh.triangles)
+        EXPECT_TRUE(triangles.insert({t.x, t.y, t.z}).second) << "a triangle twice";
+}
+
+TEST_P(Curves, TheMapIsContinuousAcrossThem) {
+    if (GetParam().options().errors != Errors::tracked) return;
+    std::vector<Mesh> surfaces = {meshes::three_sheets(8), meshes::cubes_on_one_edge(4)};
+    for (const auto& labels : {halves, wedges, island})
+        for (const Mesh& plain : {meshes::plane(16, 16), meshes::noisy_sphere(8, 0.03, 5)})
+            surfaces.push_back(labelled(plain, labels));
+    for (Mesh& plain : surfaces) {
+        const Mesh mesh = with_fields(plain);
+        const Reduction reduction = reduce(mesh);
+        const certificate::Certificate certificate(mesh, reduction);
+        EXPECT_THAT(certificate.faults(), testing::IsEmpty());
+        const std::vector<double> errors = certificate.largest_errors();
+        for (std::size_t i = 0; i < errors.size(); ++i)
+            EXPECT_LE(errors[i], reduction.report.variables[i].bound.absolute * (1 + promise::hair));
+        // A border edge stays on one border edge.
+        if (mesh.regions.empty()) continue;
+        std::set<Edge> reduced;
+        for (const Edge& edge : border(reduction.mesh))
+            reduced.insert(std::minmax(reduction.vertices[edge.first], reduction.vertices[edge.second]));
+        for (const auto& [from, to] : border(mesh)) {
+            std::set<std::uint32_t> corners; // of the reduced mesh, with a share in either end
+            for (const std::uint32_t end : {from, to}) {
+                const MapPlace& place = reduction.map.places[end];
+                for (int i = 0; i < 3; ++i)
+                    if (place.barycentric[i] != 0)
+                        corners.insert(reduction.vertices[reduction.mesh.triangles[place.triangle][i]]);
+            }
+            ASSERT_EQ(corners.size(), 2U) << from << "-" << to;
+            EXPECT_TRUE(reduced.count({*corners.begin(), *corners.rbegin()})) << from << "-" << to;
+        }
+    }
+}
+
+/// All corners of every cell lie in its two triangles.
+TEST_P(Curves, TheSegmentationKnowsTheSheets) {
+    if (GetParam().options().errors != Errors::tracked) return;
+    for (const Mesh& mesh : {labelled(with_fields(meshes::terrain(4, 5)), wedges), with_fields(meshes::three_sheets(8)),
+                             labelled(with_fields(meshes::sphere(6)), halves)}) {
+        const Reduction reduction = reduce(mesh);
+        Segmentation segmentation;
+        const MappedSurfaces surfaces{mesh, reduction};
+        segment(surfaces, segmentation);
+        std::vector<double> area(mesh.triangles.size(), 0);
+        for (const SegmentationCell& cell : segmentation.cells)
+            for (std::uint32_t i = 0; i < cell.corner_count; ++i) {
+                const std::uint32_t corner = segmentation.corners[cell.first_corner + i];
+                const glm::dvec3 from = place_in_original(surfaces, cell, corner);
+                const glm::dvec3 to = place_in_reduced(surfaces, cell, corner);
+                EXPECT_NEAR(from.x + from.y + from.z, 1, 1e-12);
+                EXPECT_NEAR(to.x + to.y + to.z, 1, 1e-12);
+                if (mesh.regions.empty()) continue;
+                EXPECT_EQ(mesh.regions[cell.original], reduction.mesh.regions[cell.reduced]);
+            }
+    }
+}
+
+/// Two halves with vertices of their own along the cut, where "side" jumps.
+Mesh seamed(const Mesh& plain) {
+    Mesh low = with_fields(meshes::cut(plain, [](glm::dvec3 p) { return p.x < 0.4; }));
+    Mesh high = with_fields(meshes::cut(plain, [](glm::dvec3 p) { return !(p.x < 0.4); }));
+    meshes::add_scalar(low, "side", [](glm::dvec3 p) { return p.y; });
+    meshes::add_scalar(high, "side", [](glm::dvec3 p) { return 10 - p.y; });
+    return meshes::joined(low, high);
+}
+
+using Place = std::tuple<double, double, double>;
+
+/// Boundary edges by the places of their ends, as often as they are there.
+std::multiset<std::pair<Place, Place>> boundary_places(const Mesh& mesh) {
+    std::map<Edge, int> triangles;
+    for (const glm::uvec3& t : mesh.triangles)
+        for (int i = 0; i < 3; ++i) ++triangles[std::minmax(t[i], t[(i + 1) % 3])];
+    std::multiset<std::pair<Place, Place>> found;
+    for (const auto& [edge, count] : triangles) {
+        if (count != 1) continue;
+        const glm::dvec3 p = meshes::point(mesh, edge.first), q = meshes::point(mesh, edge.second);
+        found.insert(std::minmax(Place(p.x, p.y, p.z), Place(q.x, q.y, q.z)));
+    }
+    return found;
+}
+
+TEST_P(Curves, NoCrackOpensAlongASeam) {
+    for (const Mesh& plain : {meshes::noisy_sphere(10, 0.03, 5), meshes::torus(30, 14), meshes::sphere(12)}) {
+        const Mesh mesh = seamed(plain); // closed, but for the seam
+        const auto before = boundary_places(mesh);
+        for (const auto& edge : before) ASSERT_EQ(before.count(edge), 2U);
+        const Reduction reduction = reduce(mesh);
+        promise::expect_everything(mesh, reduction, 5'000);
+        const auto after = boundary_places(reduction.mesh);
+        for (const auto& edge : after) EXPECT_EQ(after.count(edge), 2U) << "a crack";
+        EXPECT_LT(after.size(), before.size());
+    }
+}
+
+std::size_t on_seam(const Reduction& reduction) {
+    std::size_t found = 0;
+    for (std::uint32_t v = 0; v < vertex_count(reduction.mesh); ++v) found += meshes::point(reduction.mesh, v).x == 1;
+    return found;
+}
+
+TEST_P(Curves, ABoundHoldsOnBothSidesOfASeam) {
+    // Along the seam a variable is wild on one side only: the seam must stay for it.
+    Mesh low = meshes::plane(16, 16),
+         high = meshes::mapped(low, [](glm::dvec3 p) { return glm::dvec3(2 - p.x, p.y, p.z); });
+    high = meshes::reversed(high);
+    meshes::add_scalar(low, "f", [](glm::dvec3 p) { return std::sin(50 * p.y); });
+    meshes::add_scalar(high, "f", [](glm::dvec3) { return 0.0; });
+    for (const Mesh& mesh : {meshes::joined(low, high), meshes::joined(high, low)}) {
+        const Reduction reduction = reduce(mesh, {{"position", relative(0.1)}, {"f", absolute(0.05)}});
+        promise::expect_everything(mesh, reduction);
+        const Reduction without = reduce(mesh, {{"position", relative(0.1)}});
+        EXPECT_EQ(on_seam(without), 2 * 2) << "two ends on either side";
+        EXPECT_GT(on_seam(reduction), 2 * 8);
+    }
+}
+
+TEST_P(Curves, LockedVerticesOnThemStay) {
+    const Mesh mesh = labelled(meshes::plane(8, 8), [](glm::dvec3 p) { return p.x < 0.5 ? 1 : 2; });
+    Options options = GetParam().options();
+    options.locked = {4 + 9 * 3};
+    const Reduction reduction = promise::reduced(mesh, {{"position", relative(0.1)}}, options);
+    EXPECT_TRUE(std::binary_search(reduction.vertices.begin(), reduction.vertices.end(), options.locked[0]));
+    EXPECT_EQ(border(reduction.mesh).size(), 2U);
+}
+
+TEST_P(Curves, LevelsKeepThem) {
+    const Mesh mesh = labelled(with_fields(meshes::noisy_sphere(10, 0.03, 5)), wedges);
+    LevelOptions how{GetParam().options(), true, true};
+    Levels levels;
+    ASSERT_TRUE(reduce_levels(mesh, {promise::percent(1, 4), promise::percent(3, 12)}, how, levels).ok());
+    for (const Reduction& level : levels.levels) {
+        promise::expect_everything(mesh, level, 5'000);
+        expect_regions(mesh, level);
+    }
+}
+
+TEST_P(Curves, AnyNumberOfThreadsGivesTheSameBytes) {
+    const Mesh mesh = labelled(with_fields(meshes::terrain(7, 3)), wedges);
+    Options options = GetParam().options();
+    options.threads = 1;
+    const Reduction one = promise::reduced(mesh, promise::percent(1, 4), options);
+    options.threads = 4;
+    const Reduction four = promise::reduced(mesh, promise::percent(1, 4), options);
+    EXPECT_TRUE(promise::same_bits(one.mesh, four.mesh));
+    EXPECT_EQ(one.mesh.regions, four.mesh.regions);
+}
+
+TEST_P(Curves, TooFewLabelsAreRefused) {
+    Mesh mesh = meshes::plane(4, 4);
+    mesh.regions = {1, 2, 3};
+    Reduction reduction;
+    const Status status = meshbound::reduce(mesh, promise::percent(1, 1), GetParam().options(), reduction);
+    EXPECT_EQ(status.fault, Fault::wrong_value_count);
+}
+
+} // namespace
