@@ -34,30 +34,8 @@ struct SegmentationCell {
 ///
 /// Cells and pieces without area on the original occur where an original edge crosses the same reduced edges to and fro,
 /// and where several crossings share one place of it: they open on the way to the reduced surface and keep it free of
-/// holes. Together the pieces are a triangulation of the original surface. In triangles
-/// that `reduce` turns round (Oddities::turned_triangles) cells and pieces run the way of those around them, not the
-/// triangle's own.
-struct SegmentationCell {
-    std::uint32_t original = 0;     ///< the triangle of the original mesh that it is a part of
-    std::uint32_t reduced = 0;      ///< the triangle of the reduced mesh that it lands in
-    std::uint32_t first_corner = 0; ///< its corners are Segmentation::corners[first_corner …]
-    std::uint32_t corner_count = 0; ///< at least 3
-    std::uint32_t first_piece = 0;  ///< its pieces are Segmentation::pieces[first_piece …]
-};
-
-/// The mutual segmentation of the original and the reduced surface (figure 5): on every piece all variables, position
-/// among them, are linear on both surfaces. What is interpolated between levels of detail (§4).
-///
-/// A corner is named by one number: below V = vertex_count(original) it is that vertex of the original, at its place
-/// `map.places[corner]`; from there on it is `map.crossings[corner - V]`. So a corner has one place
-/// on the original and one on the reduced surface, whatever cell one sees it from: neighbouring cells leave no crack.
-///
-///     a square, original triangles {0,1,2} and {0,2,3}; the reduced mesh has the other diagonal, which 0-2 crosses once:
-///     V = 4, crossing 0 is corner 4;  cells (0,1,4), (1,2,4) of the one triangle, (0,4,3), (4,2,3) of the other.
-///
-/// Cells and pieces without area on the original occur where an original edge crosses the same reduced edges to and fro,
-/// and where several crossings share one place of it: they open on the way to the reduced surface and keep it free of
-/// holes. Together the pieces are a triangulation of the original surface.
+/// holes. Together the pieces are a triangulation of the original surface. In triangles that `reduce` turns round
+/// (Oddities::turned_triangles) cells and pieces run the way of those around them, not the triangle's own.
 struct Segmentation {
     std::vector<SegmentationCell> cells; ///< in the order of the original triangles
     std::vector<std::uint32_t> corners;  ///< cell by cell
