@@ -1,4 +1,4 @@
-import createModule from '../build/wasm/meshbound.mjs';
+import type createModule from '../build/wasm/meshbound.mjs';
 import type { Inspection } from './inspection.ts';
 import type { CoreLevelsOptions, CoreOptions, Outcome } from './messages.ts';
 import type { Levels, MappedReduction, Mesh, Reduction, Segmentation } from './types.ts';
@@ -32,11 +32,17 @@ const mostThreads = 8;
  */
 export function loadCore(): Promise<Core> {
   if (binary.protocol === 'file:') {
-    return createModule<Core>({ wasmBinary: process.getBuiltinModule('node:fs').readFileSync(binary) });
+    return loadSingle({ wasmBinary: process.getBuiltinModule('node:fs').readFileSync(binary) });
   }
-  const loadSingle = () => createModule<Core>({ locateFile: () => binary.href });
+  const alone = () => loadSingle({ locateFile: () => binary.href });
   // A browser that is short of memory may refuse to share so much of it.
-  return mayShareMemory() ? loadThreaded().catch(loadSingle) : loadSingle();
+  return mayShareMemory() ? loadThreaded().catch(alone) : alone();
+}
+
+/** Its code is loaded only where it is needed. */
+async function loadSingle(settings: Parameters<typeof createModule>[0]): Promise<Core> {
+  const { default: create } = await import('../build/wasm/meshbound.mjs');
+  return create<Core>(settings);
 }
 
 function mayShareMemory(): boolean {

@@ -2,6 +2,7 @@ import { cpSync, createReadStream, existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
+import { minifyModules } from './element/minify-modules.ts';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 const samples = join(root, '../build/samples');
@@ -46,7 +47,7 @@ export default defineConfig({
   base: './',
   // A file that is missing is missing, not the page again.
   appType: 'mpa',
-  plugins: [sampleFiles()],
+  plugins: [sampleFiles(), minifyModules()],
   // The WebAssembly module stays a file of its own, which streams and is cached.
   build: {
     outDir: join(root, '../dist'),

@@ -1,4 +1,4 @@
-import { readdirSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import AxeBuilder from '@axe-core/playwright';
@@ -50,17 +50,28 @@ test('the page about the element shows it at work, and names everything that it 
   expect(faults).toEqual([]);
 });
 
-/** Compressed: all that a viewer needs to show a PLY; what reads and writes the other formats is loaded when it is needed. */
+/** Packed by gzip, all that a viewer asks for to show a PLY, but for the surface itself. */
 const budget = 450_000;
 
-test('what a viewer transfers keeps to its budget', () => {
-  const folder = new URL('../../dist/element/', import.meta.url).pathname;
-  const needed = readdirSync(folder).filter((name) => /\.(js|wasm)$/.test(name) && !/^(write|read-(?!ply))/.test(name));
-  expect(needed).toContain('meshbound-viewer.js');
-  const sizes = (ending: string) =>
-    needed.filter((name) => name.endsWith(ending)).map((name) => gzipSync(readFileSync(join(folder, name))).length);
-  // Of the WebAssembly modules, with threads and without, a page loads one.
-  const sum = sizes('.js').reduce((total, size) => total + size, Math.max(...sizes('.wasm')));
-  expect(sum).toBeGreaterThan(200_000);
-  expect(sum).toBeLessThan(budget);
-});
+const isolation = { 'Cross-Origin-Opener-Policy': 'same-origin', 'Cross-Origin-Embedder-Policy': 'require-corp' };
+
+for (const [isolated, headers] of [
+  ['isolated from other origins, with threads,', isolation],
+  ['not isolated', {}],
+] as const) {
+  test(`what a viewer transfers keeps to its budget, on a page ${isolated}`, async ({ page }) => {
+    const requested = new Set<string>();
+    page.context().on('request', (request) => requested.add(new URL(request.url()).pathname));
+    const body = `<!doctype html><title>A viewer</title><script type="module" src="element/meshbound-viewer.js"></script>
+      <meshbound-viewer src="samples/fireballs.ply"></meshbound-viewer>`;
+    await page.route('**/own.html', (route) => route.fulfill({ contentType: 'text/html', headers, body }));
+    await page.goto('./own.html');
+    await expect(page.locator('#reduced .caption')).toContainText(/Reduced [1-9]/);
+    const folder = new URL('../../dist', import.meta.url).pathname;
+    const needed = [...requested].filter((path) => path.startsWith('/element/'));
+    expect(needed.filter((path) => path.endsWith('.wasm'))).toHaveLength(1);
+    expect(needed.some((path) => path.endsWith('.mjs'))).toBe(headers === isolation);
+    const sizes = needed.map((path) => gzipSync(readFileSync(join(folder, path))).length);
+    expect(sizes.reduce((total, size) => total + size, 0)).toBeLessThan(budget);
+  });
+}

@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { minifyModules } from './minify-modules.ts';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -11,6 +12,7 @@ export default defineConfig({
   root,
   base: './',
   publicDir: false,
+  plugins: [minifyModules()],
   build: {
     outDir: `${root}dist/element`,
     emptyOutDir: true,
