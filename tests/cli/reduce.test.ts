@@ -315,3 +315,30 @@ test('parts smaller than the bound go when asked for, and triangles that face th
     '1 part smaller than the bound of position, 1 triangle: left out',
   );
 });
+
+test('cell data part the surface into regions, which keep their borders and their numbers', async () => {
+  const regions = Int32Array.from({ length: original.triangles.length / 3 }, (_, triangle) =>
+    triangle % 32 < 16 ? 7 : -3,
+  );
+  await folder.save('regions.vtp', { ...original, regions });
+  const run = (...args: string[]) => folder.run('reduce', 'regions.vtp', '-o', 'out.vtp', '-b', '*=8%', ...args);
+  expect((await run()).stderr).toContain(
+    'Not carried unless it parts the surface into regions (--region): cell data “regions”.',
+  );
+  expect(await run('--region', 'regions')).toMatchObject({ status: 0, stderr: '' });
+  const labels = (await folder.read('out.vtp')).regions?.get('regions');
+  const { mesh } = await folder.read('out.vtp');
+  expect(labels).toHaveLength(mesh.triangles.length / 3);
+  // The border is the line x = 1/2: each side lies on its own.
+  labels?.forEach((label, triangle) => {
+    for (const corner of mesh.triangles.slice(3 * triangle, 3 * triangle + 3)) {
+      if (label === 7) expect(mesh.position[3 * corner]).toBeLessThanOrEqual(0.5);
+      else expect(mesh.position[3 * corner]).toBeGreaterThanOrEqual(0.5);
+    }
+  });
+  expect(labels?.length).toBeLessThan(regions.length / 2);
+  const missing = await run('--region', 'part');
+  expect(missing.stderr).toContain(
+    'there is no cell data “part” to part it into regions; those of whole numbers are “regions”.',
+  );
+});

@@ -1,11 +1,15 @@
 import type { Box } from '../../wasm/index.ts';
-import { quoted } from '../formats/wording.ts';
+import { regionNotes } from '../formats/region-notes.ts';
+import { listed, quoted } from '../formats/wording.ts';
 import { readBox } from '../session/box-text.ts';
 import { messageOf } from '../session/failure.ts';
 import { Fault, UsageFault } from './fault.ts';
+import type { OpenedSurface } from './surface-files.ts';
 
 /** What a command line wants to stay, and where it wants finer bounds. */
 export interface Keeping {
+  /** The cell-data array whose values part the surface into regions. */
+  region: string | undefined;
   focus: string | undefined;
   /** Whether parts smaller than the bound of position go. */
   dropSmallParts: boolean;
@@ -49,9 +53,24 @@ export function requireFocus(
 }
 
 /** What the core is to keep: what the surface itself needs, and what the command line adds. */
-export function settingsOf({ points, ...settings }: Keeping, locked: Uint32Array = new Uint32Array()) {
+export function settingsOf({ points, region, ...settings }: Keeping, locked: Uint32Array = new Uint32Array()) {
   const all = new Uint32Array(locked.length + points.length);
   all.set(locked);
   all.set(points, locked.length);
   return { ...settings, locked: all };
+}
+
+/** The surface with the labels of a cell-data array as its regions. Throws a Fault where it has no such array. */
+export function withRegions<Labelled extends OpenedSurface>({ region }: Keeping, surface: Labelled): Labelled {
+  if (region === undefined) return surface;
+  const regions = surface.regions?.get(region);
+  if (regions) {
+    const unused = new Map([...(surface.regions ?? [])].filter(([name]) => name !== region));
+    const before = regionNotes(surface.regions);
+    const notes = [...surface.notes.filter((note) => !before.includes(note)), ...regionNotes(unused)];
+    return { ...surface, mesh: { ...surface.mesh, regions }, regionName: region, notes };
+  }
+  const names = [...(surface.regions?.keys() ?? [])];
+  const known = names.length > 0 ? `those of whole numbers are ${listed(names)}` : 'it has none of whole numbers';
+  throw new Fault(`${surface.path}: there is no cell data ${quoted(region)} to part it into regions; ${known}.`);
 }

@@ -24,6 +24,8 @@ Options:
                           propagated: added up from removal to removal, as in the paper; more triangles stay
   --cost WHAT             with propagated errors, what the choice among retriangulations makes small:
                           introduced (default): the error of this removal; max: the error so far
+  --region NAME           cell data of IN (whole numbers, .vtp) that part the surface into regions: their borders are
+                          kept within the bounds, each side keeps its number; written with a .vtp
   --focus NAME            a variable of one component, above zero, that multiplies every bound: finer where it is small
   --drop-small            leave out parts that are smaller than the bound of position; says how many
   --lock-points LIST      points that stay, counted from 0: 3,17,20-40
@@ -53,6 +55,7 @@ const signature = {
     exclude: { type: 'string', multiple: true, default: [] as string[] },
     errors: { type: 'string', default: 'tracked' },
     cost: { type: 'string', default: 'introduced' },
+    region: { type: 'string' },
     focus: { type: 'string' },
     'drop-small': { type: 'boolean', default: false },
     'lock-points': { type: 'string', multiple: true, default: [] as string[] },
@@ -102,6 +105,7 @@ export function parseRequest(args: string[]): Request {
     levels,
     outputs: levels ? levelPaths(values.output, levels.length) : [values.output],
     keeping: {
+      region: values.region,
       focus: values.focus,
       dropSmallParts: values['drop-small'],
       points: Uint32Array.from(values['lock-points'].flatMap(parsePoints)),

@@ -18,7 +18,7 @@ import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
 import { Fault, faultOf } from './fault.ts';
 import { interruptible } from './interruption.ts';
-import { requireFocus, settingsOf } from './keeping-arguments.ts';
+import { requireFocus, settingsOf, withRegions } from './keeping-arguments.ts';
 import { levelsJson, levelsText } from './level-report.ts';
 import { sayNotes } from './notes.ts';
 import { ProgressBar } from './progress-bar.ts';
@@ -29,7 +29,7 @@ import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from 
 import { type FileNotes, writeLevelFiles } from './write-level-files.ts';
 
 async function openInput({ input, variables: csv, exclude, options, keeping, map }: Request): Promise<OpenedSurface> {
-  const surface = without(exclude, await openSurface(input, csv));
+  const surface = withRegions(keeping, without(exclude, await openSurface(input, csv)));
   requireKnownBounds(options.bounds, surface);
   requireFocus(keeping, surface);
   if (map) {

@@ -10,6 +10,8 @@ import { Fault, faultOf, UsageFault } from './fault.ts';
 /** A surface with the path that it was read from. */
 export interface OpenedSurface extends SurfaceFile {
   path: string;
+  /** What the array is called that holds the mesh's regions. */
+  regionName?: string;
 }
 
 /** Reads a surface, and more of its variables from the CSV file `csvPath`. Throws a Fault that names the file. */
@@ -49,12 +51,12 @@ export function outputFormat(path: string): Format {
 export function encodeSurface(
   path: string,
   mesh: Mesh,
-  { units, componentNames }: Labels,
+  { units, componentNames, regionName }: Labels & { regionName?: string },
 ): Promise<{ bytes: Uint8Array; losses: string[] }> {
   const format = outputFormat(path);
   const gzip = /\.gz$/i.test(path);
   return named(path, async () => ({
-    bytes: await writeSurface(format, mesh, { units, componentNames, gzip }),
+    bytes: await writeSurface(format, mesh, { units, componentNames, gzip, regionName }),
     losses: await lossesOf(format, mesh, { units, componentNames }),
   }));
 }

@@ -1,7 +1,9 @@
 import type { Variable } from '../../wasm/types.ts';
 import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
+import { joined } from './joined-arrays.ts';
 import { noPolygons, type Polygons } from './polygons.ts';
+import { regionNotes } from './region-notes.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
 import { type AppendedData, isFloatArray, readDataArray, type VtkPacking } from './vtk-data-array.ts';
 import { asEnds, asIndices, cellDataAdvice, meshOfPieces, type Piece, type PointArray } from './vtk-pieces.ts';
@@ -27,14 +29,58 @@ export function readVtp(bytes: Uint8Array): Surface {
   const data = onlyOne(childrenOf(root, 'PolyData'), 'PolyData');
   const pieceNodes = data ? childrenOf(data, 'Piece') : [];
   const packing = packingOf(root, appended, bytes.length);
-  const notes = notCarried(data, pieceNodes);
   const pieces = pieceNodes.map((node, index) =>
     readPiece(node, packing, pieceNodes.length > 1 ? `piece ${index} ` : ''),
   );
+  const regions = readRegions(pieceNodes, pieces, packing);
+  const notes = [...notCarried(data, pieceNodes, regions), ...regionNotes(regions)];
   const mesh = meshOfPieces(pieces, notes);
   const labels = labelsOf(pieceNodes, mesh.variables);
   // Pieces repeat the points where they meet.
-  return pieces.length > 1 ? { ...sealed(weld(mesh), notes), ...labels } : { mesh, notes, ...labels };
+  return pieces.length > 1 ? { ...sealed(weld(mesh), notes), ...labels, regions } : { mesh, notes, ...labels, regions };
+}
+
+/** Cell data of one whole number a cell, as labels of the triangles; of files without strips, whose triangles follow the cells. */
+function readRegions(nodes: XmlNode[], pieces: Piece[], packing: VtkPacking): Map<string, Int32Array> {
+  const regions = new Map<string, Int32Array>();
+  if (nodes.length === 0 || pieces.some(({ strips }) => strips.ends.length > 0)) return regions;
+  const arraysOf = nodes.map(labelArrays);
+  for (const name of arraysOf[0].keys()) {
+    const found = arraysOf.flatMap((arrays) => arrays.get(name) ?? []);
+    if (found.length < nodes.length) continue;
+    const parts = found.flatMap((node, index) => labelsOfTriangles(node, nodes[index], pieces[index], packing) ?? []);
+    if (parts.length === nodes.length) regions.set(name, joined(parts, Int32Array));
+  }
+  return regions;
+}
+
+/** The cell-data arrays that can hold labels, by name. */
+function labelArrays(piece: XmlNode): Map<string, XmlNode> {
+  const arrays = childrenOf(piece, 'CellData').flatMap((parent) => childrenOf(parent, 'DataArray'));
+  const fitting = arrays.filter((node) => !isFloatArray(node) && componentsOf(node) === 1 && node.attributes.Name);
+  return new Map(fitting.map((node) => [node.attributes.Name ?? '', node]));
+}
+
+/** Polygon by polygon; vertex cells and lines come before, and a polygon of n corners is n − 2 triangles. Null where a value is none of 32 bits. */
+function labelsOfTriangles(
+  node: XmlNode,
+  piece: XmlNode,
+  { polygons, prefix }: Piece,
+  packing: VtkPacking,
+): Int32Array {
+  const before = countOf(piece, 'NumberOfVerts') + countOf(piece, 'NumberOfLines');
+  const { ends } = polygons;
+  const where = `array ${prefix}${quoted(node.attributes.Name ?? '')}`;
+  const values = readDataArray(node, before + ends.length, packing, where);
+  if (values.some((value: number) => value !== Math.trunc(value) || Math.abs(value) >= 2 ** 31)) return null;
+  const labels = new Int32Array(ends.length > 0 ? ends[ends.length - 1] - 2 * ends.length : 0);
+  let triangle = 0;
+  ends.forEach((end, polygon) => {
+    const corners = end - (polygon > 0 ? ends[polygon - 1] : 0);
+    labels.fill(values[before + polygon], triangle, triangle + corners - 2);
+    triangle += corners - 2;
+  });
+  return labels;
 }
 
 function openDocument(bytes: Uint8Array): { root: XmlNode; appended: AppendedData | undefined } {
@@ -169,7 +215,7 @@ function readCells(piece: XmlNode, kind: 'Polys' | 'Strips', packing: VtkPacking
 }
 
 /** What the file holds beside points, their arrays and triangles. */
-function notCarried(data: XmlNode | undefined, pieces: XmlNode[]): string[] {
+function notCarried(data: XmlNode | undefined, pieces: XmlNode[], regions: ReadonlyMap<string, unknown>): string[] {
   const names = (parents: XmlNode[], tags = ['DataArray', 'Array']) => [
     ...new Set(
       parents
@@ -180,7 +226,7 @@ function notCarried(data: XmlNode | undefined, pieces: XmlNode[]): string[] {
   ];
   const inPieces = (tag: string) => pieces.flatMap((piece) => childrenOf(piece, tag));
   const cells = (kind: string) => pieces.reduce((sum, piece) => sum + countOf(piece, `NumberOf${kind}`), 0);
-  const cellData = names(inPieces('CellData'));
+  const cellData = names(inPieces('CellData')).filter((name) => !regions.has(name));
   const arrays: [string, string[]][] = [
     ['cell data', cellData],
     ['field data', names([data, ...pieces].flatMap((parent) => (parent ? childrenOf(parent, 'FieldData') : [])))],

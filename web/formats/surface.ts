@@ -16,6 +16,8 @@ export interface Surface extends Labels {
   mesh: Mesh;
   /** What the user should know of the reading: what was changed, what is not carried. One sentence each. */
   notes: string[];
+  /** Labels of the triangles, by the names of the cell-data arrays that hold them. */
+  regions?: ReadonlyMap<string, Int32Array>;
   /** Points on seams; unless these stay (ReduceOptions.locked), cracks open. */
   locked?: Uint32Array;
 }
@@ -24,6 +26,8 @@ export interface Surface extends Labels {
 export type Beside = (path: string) => Promise<Uint8Array>;
 
 export interface WriteOptions extends Partial<Labels> {
+  /** What the array of the mesh's regions is called. Default: regions. */
+  regionName?: string;
   /** Packed by gzip, for a name that ends in .gz. Default: no. */
   gzip?: boolean;
   /** PLY only. Default: binary little endian. */

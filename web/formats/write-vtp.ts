@@ -20,8 +20,10 @@ export function writeVtp(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   const corners = Int32Array.from(mesh.triangles);
   const ends = Int32Array.from({ length: corners.length / 3 }, (_, triangle) => 3 * (triangle + 1));
   const position = { name: 'position', components: 3, values: mesh.position };
+  const labels = mesh.regions && { name: options.regionName ?? 'regions', components: 1, values: mesh.regions };
   const arrays: FileArray[] = [
     ...mesh.variables,
+    ...(labels ? [labels] : []),
     position,
     { name: 'connectivity', components: 1, values: corners },
     { name: 'offsets', components: 1, values: ends },
@@ -53,13 +55,16 @@ function writeArray(file: Uint8Array, at: number, { values }: FileArray): void {
 function headText(mesh: Mesh, tags: string[]): string {
   const [points, triangles] = [mesh.position.length / 3, mesh.triangles.length / 3];
   const [position, connectivity, offsets] = tags.slice(-3);
+  const variables = tags.slice(0, mesh.variables.length);
+  const labels = tags.slice(mesh.variables.length, -3);
+  const cellData = labels.length > 0 ? `      <CellData>\n${labels.join('')}      </CellData>\n` : '';
   return `<?xml version="1.0"?>
 <VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
   <PolyData>
     <Piece NumberOfPoints="${points}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="${triangles}">
       <PointData>
-${tags.slice(0, -3).join('')}      </PointData>
-      <Points>
+${variables.join('')}      </PointData>
+${cellData}      <Points>
 ${position}      </Points>
       <Polys>
 ${connectivity}${offsets}      </Polys>

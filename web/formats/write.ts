@@ -77,6 +77,7 @@ export async function lossesOf(format: Format, mesh: Mesh, labels: Partial<Label
   const names = lost(mesh).map(({ name }) => name);
   if (names.length > 0) sentences.push(`${formatNames[format]} has no place for the variables ${listed(names)}.`);
   const kept = keptVariables(mesh, lost(mesh));
+  if (mesh.regions && format !== 'vtp') sentences.push('The regions are written to VTP files only.');
   if (!holdsLabels) sentences.push(...labelLosses(format, kept, labels));
   const doubles = kept.filter(({ values }) => values instanceof Float64Array);
   if (single && doubles.length > 0) {
