@@ -152,7 +152,7 @@ const browser = await chromium.launch({
 try {
   const rows = [
     await loadRow(browser, 'the page', ''),
-    await loadRow(browser, 'a viewer on a page of one’s own', 'own.html'),
+    await loadRow(browser, 'a viewer on a page of one’s own, not isolated', 'own.html'),
   ];
   const frames: string[] = [];
   for (const sample of ['fireballs', 'fireballs-fine']) {
