@@ -67,7 +67,7 @@ function labelsOfTriangles(
   piece: XmlNode,
   { polygons, prefix }: Piece,
   packing: VtkPacking,
-): Int32Array {
+): Int32Array | null {
   const before = countOf(piece, 'NumberOfVerts') + countOf(piece, 'NumberOfLines');
   const { ends } = polygons;
   const where = `array ${prefix}${quoted(node.attributes.Name ?? '')}`;
