@@ -175,6 +175,9 @@ Options options_from(const val& options) {
     if (const val locked = options["locked"]; !locked.isUndefined()) {
         result.locked = vector_from<std::uint32_t>(locked);
     }
+    if (const val regions = options["lockedRegions"]; !regions.isUndefined()) {
+        result.locked_regions = vector_from<std::int32_t>(regions);
+    }
     if (const val boxes = options["lockedBoxes"]; !boxes.isUndefined()) {
         result.locked_boxes = boxes_from(boxes);
     }

@@ -42,6 +42,8 @@ export interface ReduceOptions {
   cost?: 'maximum' | 'introduced';
   /** Vertices that must stay. */
   locked?: Uint32Array;
+  /** Labels of regions that must stay as they are, borders included. */
+  lockedRegions?: Int32Array;
   /** What must stay as it is: every triangle whose own box meets one of these boxes, with its vertices. */
   lockedBoxes?: Box[];
   /**

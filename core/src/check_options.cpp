@@ -27,6 +27,12 @@ Status check_locks(const Mesh& mesh, const Options& options) {
                     "Locked box " + std::to_string(i) +
                         " (counted from 0) is none: along some axis its lowest place is not below its highest.",
                     "", i};
+    for (std::size_t i = 0; i < options.locked_regions.size(); ++i)
+        if (std::find(mesh.regions.begin(), mesh.regions.end(), options.locked_regions[i]) == mesh.regions.end())
+            return {Fault::bad_option,
+                    "Locked region " + std::to_string(options.locked_regions[i]) +
+                        " does not exist: no triangle has that label.",
+                    "", i};
     return {};
 }
 

@@ -22,15 +22,26 @@ bool meet(const Box& one, const Box& other) {
     return true;
 }
 
+bool meets_locked_box(const Mesh& mesh, const Options& options, const glm::uvec3& triangle) {
+    if (options.locked_boxes.empty()) return false;
+    const Box box = box_of(mesh, triangle);
+    return std::any_of(options.locked_boxes.begin(), options.locked_boxes.end(),
+                       [&box](const Box& of_user) { return meet(box, of_user); });
+}
+
+bool is_in_locked_region(const Mesh& mesh, const Options& options, std::size_t triangle) {
+    const std::vector<std::int32_t>& locked = options.locked_regions;
+    return !mesh.regions.empty() && std::find(locked.begin(), locked.end(), mesh.regions[triangle]) != locked.end();
+}
+
 } // namespace
 
 std::vector<std::uint32_t> locked_vertices(const Mesh& mesh, const Options& options) {
     std::vector<std::uint32_t> locked = options.locked;
-    if (options.locked_boxes.empty()) return locked;
-    for (const glm::uvec3& triangle : mesh.triangles) {
-        const Box box = box_of(mesh, triangle);
-        if (std::any_of(options.locked_boxes.begin(), options.locked_boxes.end(),
-                        [&box](const Box& of_user) { return meet(box, of_user); }))
+    if (options.locked_boxes.empty() && options.locked_regions.empty()) return locked;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const glm::uvec3& triangle = mesh.triangles[t];
+        if (is_in_locked_region(mesh, options, t) || meets_locked_box(mesh, options, triangle))
             locked.insert(locked.end(), {triangle.x, triangle.y, triangle.z});
     }
     return locked;

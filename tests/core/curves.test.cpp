@@ -290,6 +290,29 @@ TEST_P(Curves, LockedVerticesOnThemStay) {
     EXPECT_EQ(border(reduction.mesh).size(), 2U);
 }
 
+TEST_P(Curves, ALockedRegionStaysAsItIs) {
+    const Mesh mesh = labelled(with_fields(meshes::noisy_sphere(8, 0.03, 5)), wedges);
+    Options options = GetParam().options();
+    options.locked_regions = {2};
+    const Reduction reduction = promise::reduced(mesh, promise::percent(3, 12), options);
+    const auto triangles_of = [](const Mesh& of, const std::vector<std::uint32_t>& names) {
+        std::set<std::set<std::uint32_t>> found;
+        for (const glm::uvec3& t : region(of, 2).triangles) found.insert({names[t.x], names[t.y], names[t.z]});
+        return found;
+    };
+    std::vector<std::uint32_t> all(vertex_count(mesh));
+    for (std::uint32_t v = 0; v < all.size(); ++v) all[v] = v;
+    EXPECT_EQ(triangles_of(reduction.mesh, reduction.vertices), triangles_of(mesh, all));
+    EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size());
+    expect_regions(mesh, reduction);
+
+    options.locked_regions = {2, 99};
+    Reduction none;
+    const Status status = meshbound::reduce(mesh, promise::percent(1, 1), options, none);
+    EXPECT_EQ(status.fault, Fault::bad_option);
+    EXPECT_EQ(status.index, 1U);
+}
+
 TEST_P(Curves, LevelsKeepThem) {
     const Mesh mesh = labelled(with_fields(meshes::noisy_sphere(10, 0.03, 5)), wedges);
     LevelOptions how{GetParam().options(), true, true};

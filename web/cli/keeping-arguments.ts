@@ -14,6 +14,7 @@ export interface Keeping {
   /** Whether parts smaller than the bound of position go. */
   dropSmallParts: boolean;
   points: Uint32Array;
+  lockedRegions: Int32Array;
   lockedBoxes: Box[];
 }
 
@@ -32,6 +33,13 @@ export function parsePoints(list: string): number[] {
     }
     return Array.from({ length: last - first + 1 }, (_, i) => first + i);
   });
+}
+
+/** The number of a region. Throws a UsageFault. */
+export function parseLabel(text: string): number {
+  const label = Number(text);
+  if (text.trim() !== '' && Number.isInteger(label) && Math.abs(label) < 2 ** 31) return label;
+  throw new UsageFault(`--lock-region cannot be ${quoted(text)}; it is the number of a region.`);
 }
 
 /** A box, `0,0,0,1,1,1`. Throws a UsageFault. */

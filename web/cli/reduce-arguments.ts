@@ -2,7 +2,7 @@ import type { ReportOptions } from '../session/report-json.ts';
 import { oneOf, parseArguments } from './arguments.ts';
 import { type Bounds, parseBounds } from './bound-arguments.ts';
 import { UsageFault } from './fault.ts';
-import { type Keeping, parseBox, parsePoints } from './keeping-arguments.ts';
+import { type Keeping, parseBox, parseLabel, parsePoints } from './keeping-arguments.ts';
 import { levelPaths, parseLevels } from './level-arguments.ts';
 import { outputFormat } from './surface-files.ts';
 
@@ -29,6 +29,7 @@ Options:
   --focus NAME            a variable of one component, above zero, that multiplies every bound: finer where it is small
   --drop-small            leave out parts that are smaller than the bound of position; says how many
   --lock-points LIST      points that stay, counted from 0: 3,17,20-40
+  --lock-region NUMBER    a region that stays as it is (with --region), as often as needed
   --lock-box X,Y,Z,X,Y,Z  lowest and highest corner of a box: every triangle that meets it stays as it is; as often as
                           needed (--lock-box=-1,… where it begins with a minus)
   --map FILE              also write the original with where each vertex went, and what error it has there
@@ -59,6 +60,7 @@ const signature = {
     focus: { type: 'string' },
     'drop-small': { type: 'boolean', default: false },
     'lock-points': { type: 'string', multiple: true, default: [] as string[] },
+    'lock-region': { type: 'string', multiple: true, default: [] as string[] },
     'lock-box': { type: 'string', multiple: true, default: [] as string[] },
     map: { type: 'string' },
     report: { type: 'string' },
@@ -109,6 +111,7 @@ export function parseRequest(args: string[]): Request {
       focus: values.focus,
       dropSmallParts: values['drop-small'],
       points: Uint32Array.from(values['lock-points'].flatMap(parsePoints)),
+      lockedRegions: Int32Array.from(values['lock-region'].map(parseLabel)),
       lockedBoxes: values['lock-box'].map(parseBox),
     },
     map: values.map,

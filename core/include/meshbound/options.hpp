@@ -57,6 +57,9 @@ struct Options {
     /// What must stay as it is: every triangle whose own box meets one of these boxes, with its vertices.
     std::vector<Box> locked_boxes;
 
+    /// Labels (Mesh::regions) of regions that must stay as they are, borders included. Each must exist.
+    std::vector<std::int32_t> locked_regions;
+
     /// Whether parts of the surface whose box has a diagonal within the bound of position are left out and counted
     /// (Report::dropped); the promise is then about the rest. A part hangs together over vertices, or over vertices in one
     /// place. The largest part stays, as do parts with locked vertices. Where the bound is multiplied, its least value in the
