@@ -53,6 +53,19 @@ TEST_P(OddMeshes, TwoCubesOnOneEdgeKeepIt) {
     EXPECT_EQ(reduction.mesh.triangles.size(), 24U) << "two cubes";
 }
 
+TEST_P(OddMeshes, ATetrahedronBetweenFinsIsNotFlattened) {
+    // Three triangles on each edge of its base, so that base and tip are on different sheets; without its tip the base would
+    // be there twice.
+    const Mesh mesh =
+        meshes::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0.1}, {0.5, -1, 0}, {1, 1, 0}, {-1, 0.5, 0}},
+                            {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 5}, {0, 2, 6}});
+    const Reduction reduction = reduce(mesh, {{"position", free_of_bound()}});
+    promise::expect_vertex_subset(mesh, reduction);
+    std::set<std::set<std::uint32_t>> different;
+    for (const glm::uvec3& t : reduction.mesh.triangles) different.insert({t.x, t.y, t.z});
+    EXPECT_EQ(different.size(), reduction.mesh.triangles.size()) << "a triangle is there twice";
+}
+
 TEST_P(OddMeshes, ABowTieKeepsItsKnot) {
     const Mesh mesh = with_fields(meshes::bow_tie(8));
     const Reduction reduction = reduce(mesh);
