@@ -169,6 +169,8 @@ Options options_from(const val& options) {
         result.cost = cost_from(cost.as<std::string>());
     }
     read_flag(options, "countFolds", result.count_folds);
+    read_flag(options, "refusePiercing", result.refuse_piercing);
+    read_flag(options, "limitToFeatureSize", result.limit_to_feature_size);
     read_flag(options, "dropSmallParts", result.drop_small_parts);
     read_flag(options, "choosePlaces", result.choose_places);
     read_flag(options, "chooseCrossings", result.choose_crossings);

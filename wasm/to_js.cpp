@@ -165,21 +165,26 @@ val oddities_to(const Oddities& oddities) {
 
 val refusals_to(const Refusals& refused) {
     return object(field("fixed", number(refused.fixed)), field("topology", number(refused.topology)),
-                  field("fold", number(refused.fold)));
+                  field("fold", number(refused.fold)), field("piercing", number(refused.piercing)));
 }
 
 std::string stopped_name(Stopped stopped) { return stopped == Stopped::cancelled ? "cancelled" : "finished"; }
 
 val report_to(const Report& report, double seconds) {
-    return object(field("triangles", before_after(report.triangles_before, report.triangles_after)),
-                  field("vertices", before_after(report.vertices_before, report.vertices_after)),
-                  field("variables", list_to(report.variables, variable_report_to)),
-                  field("refused", refusals_to(report.refused)), field("oddities", oddities_to(report.oddities)),
-                  field("dropped", object(field("parts", number(report.dropped.parts)),
-                                          field("triangles", number(report.dropped.triangles)))),
-                  field("nonManifoldVertices", number(report.non_manifold_vertices)),
-                  field("cells", number(report.cells)), field("foldedCells", number(report.folded_cells)),
-                  field("stopped", stopped_name(report.stopped)), field("seconds", seconds));
+    val result = object(field("triangles", before_after(report.triangles_before, report.triangles_after)),
+                        field("vertices", before_after(report.vertices_before, report.vertices_after)),
+                        field("variables", list_to(report.variables, variable_report_to)),
+                        field("refused", refusals_to(report.refused)), field("oddities", oddities_to(report.oddities)),
+                        field("dropped", object(field("parts", number(report.dropped.parts)),
+                                                field("triangles", number(report.dropped.triangles)))),
+                        field("turnedAway", before_after(report.turned_before, report.turned_after)),
+                        field("nonManifoldVertices", number(report.non_manifold_vertices)),
+                        field("cells", number(report.cells)), field("foldedCells", number(report.folded_cells)),
+                        field("stopped", stopped_name(report.stopped)), field("seconds", seconds));
+    if (report.feature_size) {
+        result.set("featureSize", *report.feature_size);
+    }
+    return result;
 }
 
 val extent_to(const Variable& variable, const ResolvedBound& bound) {

@@ -38,6 +38,16 @@ export interface ReduceOptions {
   chooseCrossings?: boolean;
   /** Tracked errors: count the map's cells and folds, a few percent of the time. Default: the core's. */
   countFolds?: boolean;
+  /**
+   * Refuse what would make a part of the surface pierce or touch another one that passes near. Two triangles of the result
+   * then meet beyond common corners and edges only if both are triangles of the input, which met before. Default: false.
+   */
+  refusePiercing?: boolean;
+  /**
+   * Limit the bound of position to half the smallest distance between two parts of the surface that face each other: where
+   * that is below the bound, the report has it as `featureSize`. Default: false.
+   */
+  limitToFeatureSize?: boolean;
   /** What retriangulation makes small (§3.4.1). Default: the core's. */
   cost?: 'maximum' | 'introduced';
   /** Vertices that must stay. */
@@ -96,7 +106,7 @@ export interface Report {
   vertices: { before: number; after: number };
   /** Position first, then the mesh's variables in their order. */
   variables: VariableReport[];
-  refused: { fixed: number; topology: number; fold: number };
+  refused: { fixed: number; topology: number; fold: number; piercing: number };
   oddities: {
     repeatedVertexTriangles: number;
     zeroAreaTriangles: number;
@@ -109,6 +119,10 @@ export interface Report {
   };
   /** Parts of the surface that were left out, see `ReduceOptions.dropSmallParts`. */
   dropped: { parts: number; triangles: number };
+  /** The smallest distance between two lobes, where it limited the bound of position (see `limitToFeatureSize`). */
+  featureSize?: number;
+  /** Triangles that turn more than a right angle against the original between their corners. */
+  turnedAway: { before: number; after: number };
   nonManifoldVertices: number;
   /** Tracked errors only: into how many cells the map cuts the original, and how many of them it turns over. */
   cells: number;

@@ -1,11 +1,13 @@
 #include "meshbound/levels.hpp"
 
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
 
 #include "check_options.hpp"
+#include "feature_limit.hpp"
 #include "focus.hpp"
 #include "reduction_run.hpp"
 #include "ticker.hpp"
@@ -110,7 +112,11 @@ Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const 
         for (const std::vector<ResolvedBound>& bounds_of_level : resolved)
             if (Status status = check_focus(mesh, bounds_of_level, options.reduction); !status.ok()) return status;
         ticker.ask();
+        std::optional<double> feature;
+        if (Status status = limit_to_feature_size(mesh, options.reduction, resolved, feature); !status.ok())
+            return status;
         levels = reduce_all(mesh, resolved, options, oddities, ticker);
+        for (Reduction& level : levels.levels) level.report.feature_size = feature;
         ticker.finish();
         return {};
     } catch (const std::bad_alloc&) {

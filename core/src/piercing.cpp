@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "indexing.hpp"
+#include "places.hpp"
 
 namespace meshbound {
 namespace {
@@ -29,23 +28,6 @@ std::vector<glm::dvec3> scaled_points(const Mesh& mesh) {
     for (glm::dvec3& point : points)
         for (int axis = 0; axis < 3; ++axis) point[axis] = std::ldexp(point[axis], exponent);
     return points;
-}
-
-/// One number for all vertices at the same point: the lowest of them.
-std::vector<std::uint32_t> number_places(const std::vector<glm::dvec3>& points) {
-    std::vector<std::uint32_t> order(points.size()), places(points.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto key = [&](std::uint32_t vertex) {
-        const glm::dvec3& p = points[vertex];
-        return std::tuple(p.x, p.y, p.z);
-    };
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t v, std::uint32_t w) { return points[v] == points[w] ? v < w : key(v) < key(w); });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool same = i > 0 && points[order[i]] == points[order[i - 1]];
-        places[order[i]] = same ? places[order[i - 1]] : order[i];
-    }
-    return places;
 }
 
 /// Whether two of the corners are at one place: then there is nothing to it but an edge, which its neighbours have too.

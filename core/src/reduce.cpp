@@ -1,9 +1,12 @@
 #include "meshbound/reduce.hpp"
 
 #include <new>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "check_options.hpp"
+#include "feature_limit.hpp"
 #include "focus.hpp"
 #include "reduction_run.hpp"
 #include "ticker.hpp"
@@ -16,12 +19,15 @@ Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Re
         Ticker ticker(progress);
         Oddities oddities;
         if (Status status = validate(mesh, &oddities); !status.ok()) return status;
-        std::vector<ResolvedBound> resolved;
-        if (Status status = resolve_bounds(mesh, bounds, resolved); !status.ok()) return status;
+        std::vector<std::vector<ResolvedBound>> resolved(1);
+        if (Status status = resolve_bounds(mesh, bounds, resolved[0]); !status.ok()) return status;
         if (Status status = check_options(mesh, options); !status.ok()) return status;
-        if (Status status = check_focus(mesh, resolved, options); !status.ok()) return status;
+        if (Status status = check_focus(mesh, resolved[0], options); !status.ok()) return status;
         ticker.ask();
-        reduction = ReductionRun(mesh, options, oddities, ticker).reduce_within(resolved, {});
+        std::optional<double> feature;
+        if (Status status = limit_to_feature_size(mesh, options, resolved, feature); !status.ok()) return status;
+        reduction = ReductionRun(mesh, options, oddities, ticker).reduce_within(resolved[0], {});
+        reduction.report.feature_size = feature;
         ticker.finish();
         return {};
     } catch (const std::bad_alloc&) {

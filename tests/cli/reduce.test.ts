@@ -260,7 +260,13 @@ test('what is written for people puts neither a bound nor an error below what it
     variables: [{ ...reached, bound: 2437.401, error: 2437.4, ratio: 0.9999996 }],
     seconds: 1,
   } as unknown as Report;
-  const text = reportText(report, { bounds: { p: { relative: 0.03 } }, errors: 'tracked', cost: 'introduced' });
+  const text = reportText(report, {
+    bounds: { p: { relative: 0.03 } },
+    errors: 'tracked',
+    cost: 'introduced',
+    refusePiercing: false,
+    limitToFeatureSize: false,
+  });
   expect(text).toMatch(/p +2438 +3 % +2438 +1$/);
 });
 
@@ -341,4 +347,23 @@ test('cell data part the surface into regions, which keep their borders and thei
   expect(missing.stderr).toContain(
     'there is no cell data “part” to part it into regions; those of whole numbers are “regions”.',
   );
+});
+
+test('no part pierces another where that is refused', async () => {
+  const plate = [0, 0.5, 1].flatMap((y) => [0, 0.5, 1].flatMap((x) => [x, y, x === 0.5 && y === 0.5 ? 0.1 : 0]));
+  const spike = [0.5, 0.5, 0.05, 0.48, 0.48, -0.1, 0.52, 0.48, -0.1, 0.5, 0.52, -0.1];
+  const cells = [0, 1, 3, 4].flatMap((at) => [at, at + 1, at + 4, at, at + 4, at + 3]);
+  const tetrahedron = [9, 11, 10, 9, 12, 11, 9, 10, 12, 10, 11, 12];
+  await folder.save('spike.vtp', {
+    position: Float64Array.from([...plate, ...spike]),
+    triangles: Uint32Array.from([...cells, ...tetrahedron]),
+    variables: [],
+  });
+  const heights = async (...args: string[]) => {
+    const run = await folder.run('reduce', 'spike.vtp', '-o', 'out.vtp', '-b', 'position=0.2', ...args);
+    expect(run.status).toBe(0);
+    return (await folder.read('out.vtp')).mesh.position.filter((_, i) => i % 3 === 2);
+  };
+  expect(await heights()).not.toContain(0.1);
+  expect(await heights('--refuse-piercing')).toContain(0.1);
 });

@@ -58,10 +58,11 @@ function mapArrays(map: SurfaceMap): [string, NumberArray][] {
 }
 
 function reportArrays({ report }: Reduction): [string, NumberArray][] {
-  const { triangles, vertices, refused, oddities, nonManifoldVertices, cells, foldedCells } = report;
+  const { triangles, vertices, refused, oddities, turnedAway, nonManifoldVertices, cells, foldedCells } = report;
   const counts = [
     [triangles.before, triangles.after, vertices.before, vertices.after],
-    [refused.fixed, refused.topology, refused.fold],
+    [refused.fixed, refused.topology, refused.fold, refused.piercing],
+    [turnedAway.before, turnedAway.after],
     [oddities.repeatedVertexTriangles, oddities.zeroAreaTriangles, oddities.unusedVertices],
     [nonManifoldVertices, cells, foldedCells],
   ];

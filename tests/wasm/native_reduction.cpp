@@ -93,7 +93,8 @@ void write_report(LabelledArrays& arrays, const Report& report) {
     arrays.write<double>("report:counts",
                          {number(report.triangles_before), number(report.triangles_after),
                           number(report.vertices_before), number(report.vertices_after), number(report.refused.fixed),
-                          number(report.refused.topology), number(report.refused.fold),
+                          number(report.refused.topology), number(report.refused.fold), number(report.refused.piercing),
+                          number(report.turned_before), number(report.turned_after),
                           number(report.oddities.repeated_vertex_triangles),
                           number(report.oddities.zero_area_triangles), number(report.oddities.unused_vertices),
                           number(report.non_manifold_vertices), number(report.cells), number(report.folded_cells)});

@@ -26,7 +26,8 @@ function report(variables: VariableReport[], refused: Partial<Report['refused']>
     triangles: { before: 99980, after: 806 },
     vertices: { before: 49992, after: 405 },
     variables,
-    refused: { fixed: 0, topology: 0, fold: 0, ...refused },
+    refused: { fixed: 0, topology: 0, fold: 0, piercing: 0, ...refused },
+    turnedAway: { before: 0, after: 0 },
     oddities: {
       repeatedVertexTriangles: 0,
       zeroAreaTriangles: 0,

@@ -26,6 +26,8 @@ Options:
                           introduced (default): the error of this removal; max: the error so far
   --region NAME           cell data of IN (whole numbers, .vtp) that part the surface into regions: their borders are
                           kept within the bounds, each side keeps its number; written with a .vtp
+  --refuse-piercing       let no part of the surface pierce another that passes near; takes about half as long again
+  --limit-to-feature-size limit the bound of position to half the distance of the nearest parts that face each other
   --focus NAME            a variable of one component, above zero, that multiplies every bound: finer where it is small
   --drop-small            leave out parts that are smaller than the bound of position; says how many
   --lock-points LIST      points that stay, counted from 0: 3,17,20-40
@@ -57,6 +59,8 @@ const signature = {
     errors: { type: 'string', default: 'tracked' },
     cost: { type: 'string', default: 'introduced' },
     region: { type: 'string' },
+    'refuse-piercing': { type: 'boolean', default: false },
+    'limit-to-feature-size': { type: 'boolean', default: false },
     focus: { type: 'string' },
     'drop-small': { type: 'boolean', default: false },
     'lock-points': { type: 'string', multiple: true, default: [] as string[] },
@@ -103,7 +107,13 @@ export function parseRequest(args: string[]): Request {
     output: values.output,
     variables: values.variables,
     exclude: values.exclude,
-    options: { bounds: levels?.[0] ?? parseBounds(values.bound), errors, cost },
+    options: {
+      bounds: levels?.[0] ?? parseBounds(values.bound),
+      errors,
+      cost,
+      refusePiercing: values['refuse-piercing'],
+      limitToFeatureSize: values['limit-to-feature-size'],
+    },
     levels,
     outputs: levels ? levelPaths(values.output, levels.length) : [values.output],
     keeping: {

@@ -10,7 +10,7 @@ import {
 import { labelsWithMap, takenMapNames, triangleName, withMap } from '../formats/map-variables.ts';
 import type { Labels } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
-import { droppedNotes, oddityNotes } from '../session/oddity-notes.ts';
+import { droppedNotes, featureNotes, oddityNotes } from '../session/oddity-notes.ts';
 import { reportJson } from '../session/report-json.ts';
 import { requireKnownBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
@@ -57,6 +57,8 @@ async function callCore<Result>(
     return await call({
       errors: options.errors,
       cost: options.cost === 'max' ? 'maximum' : 'introduced',
+      refusePiercing: options.refusePiercing,
+      limitToFeatureSize: options.limitToFeatureSize,
       ...settingsOf(keeping, locked),
       signal,
       onProgress: (progress) => bar?.show(progress),
@@ -136,9 +138,15 @@ async function run(args: string[]): Promise<number> {
     if (options.cost === 'max' && options.errors === 'tracked') {
       console.error('--cost has an effect with --errors propagated only.');
     }
-    const { oddities, dropped } = outcome.report;
+    const { oddities, dropped, featureSize } = outcome.report;
     const free = freeNotes(unnamed(options.bounds, surface.mesh));
-    sayNotes(surface.path, [...surface.notes, ...oddityNotes(oddities), ...droppedNotes(dropped), ...free]);
+    sayNotes(surface.path, [
+      ...surface.notes,
+      ...oddityNotes(oddities),
+      ...droppedNotes(dropped),
+      ...featureNotes(featureSize),
+      ...free,
+    ]);
     for (const [path, losses] of outcome.notes) sayNotes(path, losses);
     console.log(outcome.text);
   }

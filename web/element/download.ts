@@ -44,7 +44,7 @@ export async function savedFile(
 
 function reportOf({ result, bounds, method }: Reduced): string {
   const cost = method.cost === 'maximum' ? 'max' : 'introduced';
-  return reportJson(result.report, { bounds: asBounds(bounds), errors: method.errors, cost });
+  return reportJson(result.report, { ...method, bounds: asBounds(bounds), cost });
 }
 
 /** As one GLB file, which holds all of them. */

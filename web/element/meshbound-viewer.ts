@@ -40,6 +40,9 @@ import {
 import { firstState, type StateAttribute, stateAttributes, type ViewerState } from './viewer-state.ts';
 
 /** What a state says beside address and bounds. */
+/** What a Method is made from. */
+const methodAttributes = ['errors', 'cost', 'refusePiercing', 'limitToFeatureSize'] as const;
+
 const viewAttributes = stateAttributes.filter((name) => name !== 'src' && name !== 'bounds');
 
 /** How near to the window's part in sight a lazy viewer begins to load. */
@@ -107,6 +110,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
     bounds: { noAccessor: true },
     errors: {},
     cost: {},
+    refusePiercing: { type: Boolean },
+    limitToFeatureSize: { type: Boolean },
     variable: {},
     component: {},
     show: {},
@@ -210,6 +215,10 @@ export class MeshboundViewer extends LitElement implements WantedView {
   declare errors: Method['errors'] | null;
   /** What retriangulation makes small where errors are propagated: the error `introduced` (default), or the `maximum`. */
   declare cost: Method['cost'] | null;
+  /** Let no part of the surface pierce another one that passes near, in exchange for about half the time more. */
+  declare refusePiercing: boolean;
+  /** Limit the bound of position to half the smallest distance between two parts of the surface that face each other. */
+  declare limitToFeatureSize: boolean;
   /** What the surfaces are coloured by: a variable, `position` among them. Default: the first that varies. */
   declare variable: string | null;
   /** Which component of a vector: `magnitude` (default), or what it is called: x, y, z, or as in the file. */
@@ -280,6 +289,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.src = null;
     this.errors = null;
     this.cost = null;
+    this.refusePiercing = false;
+    this.limitToFeatureSize = false;
     this.variable = null;
     this.component = null;
     this.show = null;
@@ -538,7 +549,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
   }
 
   override willUpdate(changed: PropertyValues<this>): void {
-    if (changed.has('errors') || changed.has('cost')) this.session.setMethod(methodFrom(this));
+    if (methodAttributes.some((name) => changed.has(name))) this.session.setMethod(methodFrom(this));
     if (changed.has('src') && this.src) this.#load();
   }
 
@@ -789,6 +800,11 @@ function propertyOf(name: (typeof viewAttributes)[number]) {
     : (name as Exclude<typeof name, keyof typeof levelProperties>);
 }
 
-function methodFrom({ errors, cost }: MeshboundViewer): Method {
-  return { errors: errors === 'propagated' ? errors : 'tracked', cost: cost === 'maximum' ? cost : 'introduced' };
+function methodFrom({ errors, cost, refusePiercing, limitToFeatureSize }: MeshboundViewer): Method {
+  return {
+    errors: errors === 'propagated' ? errors : 'tracked',
+    cost: cost === 'maximum' ? cost : 'introduced',
+    refusePiercing,
+    limitToFeatureSize,
+  };
 }

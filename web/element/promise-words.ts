@@ -65,6 +65,7 @@ export function heldBackShares({ variables, refused }: Report): HeldBack[] {
   const reasons: [string, number][] = [
     ...variables.map((variable): [string, number] => [placeName(variable), variable.refused]),
     [english.heldBack.folds, refused.fold],
+    [english.heldBack.piercing, refused.piercing],
     [english.heldBack.topology, refused.topology],
     [english.heldBack.fixed, refused.fixed],
   ];

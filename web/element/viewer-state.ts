@@ -9,6 +9,8 @@ export const stateAttributes = [
   'bounds',
   'errors',
   'cost',
+  'refusePiercing',
+  'limitToFeatureSize',
   'variable',
   'component',
   'show',

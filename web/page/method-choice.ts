@@ -29,6 +29,9 @@ export class MethodChoice extends LitElement {
         justify-content: space-between;
         margin-top: 6px;
       }
+      label.tick {
+        justify-content: start;
+      }
       select {
         width: 198px;
       }
@@ -59,6 +62,11 @@ export class MethodChoice extends LitElement {
           : nothing
       }
       <p class="small soft">${english.method.means[this.method.errors]}</p>
+      ${tick(english.method.refusePiercing, this.method.refusePiercing, (refusePiercing) => this.#change({ refusePiercing }))}
+      ${tick(english.method.limitToFeatureSize, this.method.limitToFeatureSize, (limitToFeatureSize) =>
+        this.#change({ limitToFeatureSize }),
+      )}
+      <p class="small soft">${english.method.nearParts}</p>
     </details>`;
   }
 
@@ -75,6 +83,17 @@ function choice(label: string, options: string[][], selected: string, choose: (v
         ([value, text]) => html`<option value=${value} .selected=${live(value === selected)}>${text}</option>`,
       )}
     </select>
+  </label>`;
+}
+
+function tick(label: string, checked: boolean, change: (checked: boolean) => void) {
+  return html`<label class="tick">
+    <input
+      type="checkbox"
+      .checked=${live(checked)}
+      @change=${({ target }: Event) => change((target as HTMLInputElement).checked)}
+    />
+    <span>${label}</span>
   </label>`;
 }
 

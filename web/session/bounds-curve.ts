@@ -1,7 +1,7 @@
 import type { Mesh, ReduceOptions, Reduction } from '../../wasm/types.ts';
 import { asBounds, type BoundSettings, largestFraction, moveAll } from './bound-setting.ts';
 import { Latest, superseded } from './latest.ts';
-import type { SessionState } from './session.ts';
+import { type SessionState, sameMethod } from './session.ts';
 
 /** How many triangles are left where the largest bound is this fraction, and the others stand in proportion to it. */
 export interface CurvePoint {
@@ -81,10 +81,7 @@ export class BoundsCurve extends EventTarget {
 /** Whether the curve of one state is that of the other: same surface, same method, bounds in the same proportions. */
 function measuresSame(one: SessionState, other: SessionState): boolean {
   return (
-    one.surface === other.surface &&
-    one.method.errors === other.method.errors &&
-    one.method.cost === other.method.cost &&
-    mixOf(one.bounds) === mixOf(other.bounds)
+    one.surface === other.surface && sameMethod(one.method, other.method) && mixOf(one.bounds) === mixOf(other.bounds)
   );
 }
 

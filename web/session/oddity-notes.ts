@@ -39,3 +39,11 @@ export function droppedNotes({ parts, triangles: count }: Report['dropped']): st
   const left = parts === 1 ? '1 part' : `${parts} parts`;
   return [`${left} smaller than the bound of position, ${triangles(count)}: left out; nothing is promised of them.`];
 }
+
+/** What limited the bound of position, a sentence. */
+export function featureNotes(size: Report['featureSize']): string[] {
+  if (size === undefined) return [];
+  return [
+    `parts of the surface come as near to each other as ${size}: the bound of position is limited to half of it.`,
+  ];
+}

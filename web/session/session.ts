@@ -47,7 +47,16 @@ export interface Opening {
 }
 
 /** How errors are accounted for, and what retriangulation makes small where they are propagated. */
-export type Method = Required<Pick<ReduceOptions, 'errors' | 'cost'>>;
+export type Method = Required<Pick<ReduceOptions, 'errors' | 'cost' | 'refusePiercing' | 'limitToFeatureSize'>>;
+
+export function sameMethod(one: Method, other: Method): boolean {
+  return (
+    one.errors === other.errors &&
+    one.cost === other.cost &&
+    one.refusePiercing === other.refusePiercing &&
+    one.limitToFeatureSize === other.limitToFeatureSize
+  );
+}
 
 /** A result with what it was asked with. */
 export interface Reduced {
@@ -101,7 +110,7 @@ const emptyState: SessionState = {
   bounds: {},
   canUndo: false,
   canRedo: false,
-  method: { errors: 'tracked', cost: 'introduced' },
+  method: { errors: 'tracked', cost: 'introduced', refusePiercing: false, limitToFeatureSize: false },
   progress: null,
   cancelled: false,
   reduced: null,
@@ -193,8 +202,7 @@ export class Session extends EventTarget {
   }
 
   setMethod(method: Method): void {
-    const { errors, cost } = this.#state.method;
-    if (method.errors === errors && method.cost === cost) return;
+    if (sameMethod(method, this.#state.method)) return;
     this.#update({ method });
     this.reduceAgain();
   }

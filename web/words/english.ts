@@ -30,6 +30,7 @@ export const english = {
     most: 'Held back most by',
     next: (shares: string[]) => (shares.length > 0 ? `then ${shares.join(', ')}` : 'and nothing else'),
     folds: 'folds',
+    piercing: 'near parts',
     topology: 'topology',
     fixed: 'fixed vertices',
   },
@@ -206,6 +207,10 @@ export const english = {
         'Errors are added up removal by removal, as by Bajaj and Schikore (1996): limits from above, more triangles.',
     },
     costs: { introduced: 'error introduced', maximum: 'maximum error' },
+    refusePiercing: 'Let no part pierce another',
+    limitToFeatureSize: 'Limit space to feature size',
+    nearParts:
+      'Where parts pass near each other: keep them apart exactly, in about half the time more; or limit the bound in space to half their distance.',
   },
 
   levels: {

@@ -3,6 +3,7 @@
 /// Meshbound: error-bounded reduction of triangle meshes that carry data. Include this, or the one header that you need.
 
 #include "meshbound/bounds.hpp"
+#include "meshbound/feature_size.hpp"
 #include "meshbound/level_link.hpp"
 #include "meshbound/levels.hpp"
 #include "meshbound/map.hpp"

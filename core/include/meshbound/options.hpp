@@ -44,6 +44,10 @@ struct Options {
     /// result then meet only if both are triangles of the input, which met before. Decided exactly.
     bool refuse_piercing = false;
 
+    /// Limit the bound of position to half the feature size (see feature_size): two lobes, both of which may move, then stay
+    /// apart. The paper's way (§3.2.3), coarser than refuse_piercing and without its certainty.
+    bool limit_to_feature_size = false;
+
     /// Tracked errors only: count the folds of the map when the reduction is done, which takes a few percent of its time.
     bool count_folds = true;
 

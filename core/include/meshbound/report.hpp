@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,8 @@ struct Report {
     Refusals refused;
     Oddities oddities;
     DroppedParts dropped;
+    /// The feature size, where it limited the bound of position (Options::limit_to_feature_size).
+    std::optional<double> feature_size;
     std::size_t non_manifold_vertices = 0; ///< fixed because of non-manifold edges or bow-ties
     /// Triangles that turn more than a right angle against the surface that they stand for: against the original's normal at
     /// one of their corners, which is the sum of the area vectors of the original's triangles there. None turns farther at a

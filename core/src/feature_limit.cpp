@@ -1,0 +1,38 @@
+#include "feature_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "meshbound/feature_size.hpp"
+#include "rows.hpp"
+
+namespace meshbound {
+namespace {
+
+Status too_fine(double size) {
+    std::ostringstream text;
+    text << "Two lobes of the surface are " << size
+         << " apart; a bound of \"position\" that is half of that is finer than double precision can carry.";
+    return {Fault::bound_too_fine, text.str(), "position", {}};
+}
+
+} // namespace
+
+Status limit_to_feature_size(const Mesh& mesh, const Options& options, std::vector<std::vector<ResolvedBound>>& levels,
+                             std::optional<double>& size) {
+    double largest = 0;
+    for (const std::vector<ResolvedBound>& bounds : levels)
+        if (std::isfinite(bounds[0].absolute)) largest = std::max(largest, bounds[0].absolute);
+    if (!options.limit_to_feature_size || largest == 0) return {};
+    size = feature_size(mesh, 2 * largest);
+    if (!size) return {};
+    for (std::vector<ResolvedBound>& bounds : levels) {
+        if (!std::isfinite(bounds[0].absolute)) continue;
+        bounds[0].absolute = std::min(bounds[0].absolute, *size / 2);
+        if (!(rounding_margin(bounds[0]) < largest_rounding_margin)) return too_fine(*size);
+    }
+    return {};
+}
+
+} // namespace meshbound

@@ -1,0 +1,105 @@
+// The feature size (§3.2.3): the smallest distance between two lobes that face each other.
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "meshes/near_lobes.hpp"
+#include "meshes/shapes.hpp"
+#include "meshes/variations.hpp"
+#include "promise.hpp"
+#include "self_intersection/self_intersections.hpp"
+
+namespace {
+
+using namespace meshbound;
+
+Mesh lifted(const Mesh& mesh, double by) {
+    return meshes::mapped(mesh, [by](glm::dvec3 p) { return p + glm::dvec3(0, 0, by); });
+}
+
+TEST(FeatureSizeTest, OfTwoEvenSheetsIsTheirDistance) {
+    const Mesh sheet = meshes::plane(12, 10);
+    const Mesh mesh = meshes::joined(sheet, meshes::flipped(lifted(sheet, 0.07), 100, 1));
+    ASSERT_TRUE(feature_size(mesh, 1).has_value());
+    EXPECT_NEAR(*feature_size(mesh, 1), 0.07, 1e-12);
+    EXPECT_FALSE(feature_size(mesh, 0.07).has_value()) << "looked for below only";
+}
+
+TEST(FeatureSizeTest, OfASlabIsItsThickness) {
+    const Mesh slab = meshes::mapped(meshes::cube(8), [](glm::dvec3 p) { return glm::dvec3(p.x, p.y, 0.05 * p.z); });
+    ASSERT_TRUE(feature_size(slab, 1).has_value());
+    EXPECT_NEAR(*feature_size(slab, 1), 0.05, 1e-12);
+}
+
+/// Chords and the sagging of edges between curved walls make it a little less or more than the gap.
+TEST(FeatureSizeTest, OfNearLobesIsAboutTheirGap) {
+    EXPECT_NEAR(feature_size(meshes::nested_spheres(16, 0.1), 1).value_or(0), 0.1, 0.02);
+    const Mesh spiral = meshes::grid(240, 6, [](double u, double v) {
+        const double angle = 6 * std::numbers::pi * u, radius = 0.3 + 0.3 * u;
+        return glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), 0.5 * v);
+    });
+    EXPECT_NEAR(feature_size(spiral, 1).value_or(0), 0.1, 0.01);
+    EXPECT_NEAR(feature_size(meshes::self_passing_tube(120, 24, 0.05), 0.2).value_or(0), 0.05, 0.01);
+}
+
+TEST(FeatureSizeTest, OfOneLobeIsNothing) {
+    EXPECT_FALSE(feature_size(meshes::plane(20, 20), 1).has_value());
+    EXPECT_FALSE(feature_size(meshes::pleats(4, 6), 0.3).has_value()) << "the sides of a groove meet at its bottom";
+    EXPECT_FALSE(feature_size(meshes::terrain(5, 3), 0.3).has_value()) << "a height field";
+}
+
+TEST(FeatureSizeTest, IsNotTheMeetingOfASeam) {
+    const Mesh left = meshes::plane(8, 8);
+    const Mesh right = meshes::mapped(left, [](glm::dvec3 p) { return p + glm::dvec3(1, 0, 0); });
+    EXPECT_FALSE(feature_size(meshes::joined(left, right), 0.5).has_value());
+}
+
+TEST(FeatureSizeTest, GrowsWithTheMesh) {
+    const Mesh small = meshes::nested_spheres(8, 0.2);
+    const Mesh large = meshes::mapped(small, [](glm::dvec3 p) { return 1024.0 * p; });
+    EXPECT_EQ(1024 * feature_size(small, 1).value(), feature_size(large, 1024).value());
+}
+
+/// Half of it, because both lobes may move.
+TEST(FeatureLimitTest, LimitsTheBoundOfPosition) {
+    Options options;
+    options.limit_to_feature_size = true;
+    for (const meshes::Exhibit& exhibit : meshes::near_lobes()) {
+        SCOPED_TRACE(exhibit.name);
+        const Reduction reduction = promise::reduced(exhibit.mesh, {{"position", relative(0.02)}}, options);
+        ASSERT_TRUE(reduction.report.feature_size.has_value());
+        EXPECT_EQ(reduction.report.variables[0].bound.absolute, *reduction.report.feature_size / 2);
+        EXPECT_TRUE(judge::self_intersections(reduction.mesh).empty());
+        EXPECT_LT(reduction.mesh.triangles.size(), exhibit.mesh.triangles.size());
+        promise::expect_everything(exhibit.mesh, reduction);
+    }
+}
+
+TEST(FeatureLimitTest, LeavesAFinerBoundAndAFreePosition) {
+    Options options;
+    options.limit_to_feature_size = true;
+    const Mesh mesh = meshes::two_sheets(20, 0.05);
+    const Reduction fine = promise::reduced(mesh, {{"position", absolute(0.001)}}, options);
+    EXPECT_FALSE(fine.report.feature_size.has_value());
+    EXPECT_EQ(fine.report.variables[0].bound.absolute, 0.001);
+    const Reduction free = promise::reduced(mesh, {}, options);
+    EXPECT_FALSE(free.report.feature_size.has_value());
+}
+
+TEST(FeatureLimitTest, HoldsInEveryLevel) {
+    LevelOptions options;
+    options.reduction.limit_to_feature_size = true;
+    const Mesh mesh = meshes::two_sheets(20, 0.02);
+    Levels levels;
+    ASSERT_TRUE(
+        reduce_levels(mesh, {promise::percent(0.1, 1), promise::percent(2, 1), promise::percent(5, 1)}, options, levels)
+            .ok());
+    const double size = levels.levels[0].report.feature_size.value();
+    EXPECT_LT(levels.levels[0].report.variables[0].bound.absolute, size / 2);
+    EXPECT_EQ(levels.levels[1].report.variables[0].bound.absolute, size / 2);
+    EXPECT_EQ(levels.levels[2].report.variables[0].bound.absolute, size / 2);
+}
+
+} // namespace
