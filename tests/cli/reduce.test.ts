@@ -66,6 +66,8 @@ test('the report has the documented shape', async () => {
   const number = expect.any(Number);
   expect(report).toEqual({
     triangles: { before: 512, after: (await folder.read('out.vtp')).mesh.triangles.length / 3 },
+    turnedAway: { before: number, after: number },
+    featureSize: null,
     variables: [
       variable('position', 3, number, number),
       variable('pressure', 1, number, number),
@@ -77,6 +79,8 @@ test('the report has the documented shape', async () => {
       bounds: { position: { relative: 0.01 }, '*': { relative: 0.03 }, temperature: 'free' },
       errors: 'tracked',
       cost: 'introduced',
+      refusePiercing: false,
+      limitToFeatureSize: false,
     },
     stopped: 'finished',
   });
@@ -366,4 +370,5 @@ test('no part pierces another where that is refused', async () => {
   };
   expect(await heights()).not.toContain(0.1);
   expect(await heights('--refuse-piercing')).toContain(0.1);
+  expect(await heights('--limit-to-feature-size')).toContain(0.1);
 });
