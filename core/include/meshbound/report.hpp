@@ -22,7 +22,7 @@ struct VariableReport {
 
 /// Why vertices that are still there could not go, besides the bounds (see VariableReport::refused).
 struct Refusals {
-    std::size_t fixed = 0;    ///< non-manifold places and locked vertices: never candidates
+    std::size_t fixed = 0;    ///< locked, in a bow-tie, or where curves between sheets meet or end
     std::size_t topology = 0; ///< removal would change the topology: existing edge, tetrahedron, last loop (§3.2.3)
     std::size_t fold = 0;     ///< every retriangulation turns away from the surface or folds onto a neighbour
     std::size_t piercing =
@@ -48,7 +48,7 @@ struct Report {
     DroppedParts dropped;
     /// The feature size, where it limited the bound of position (Options::limit_to_feature_size).
     std::optional<double> feature_size;
-    std::size_t non_manifold_vertices = 0; ///< fixed because of non-manifold edges or bow-ties
+    std::size_t non_manifold_vertices = 0; ///< of the input: on edges of three or more triangles, in bow-ties
     /// Triangles that turn more than a right angle against the surface that they stand for: against the original's normal at
     /// one of their corners, which is the sum of the area vectors of the original's triangles there. None turns farther at a
     /// corner than some triangle of the original does. Not counted where the reduction was cancelled.
