@@ -39,6 +39,7 @@ bool Legality::enter(const Surface& surface, const Rows& rows, const Hole& hole)
     hole_ = &hole;
     if (!removable(surface, hole)) return false;
     find_taken_edges(surface, hole);
+    if (touches_own_site(surface, hole)) return false;
     if (hole.open && taken_[at(hole.size() - 1)]) return false; // the closing edge exists: the loop has three edges
     const glm::dvec3 normal = star_normal(hole);
     const double length = glm::length(normal);
@@ -82,6 +83,11 @@ void Legality::see(std::uint32_t site, int i) {
     if (!(ring_filter_ >> (site % 64) & 1)) return;
     for (int j = 0; j < hole_->size(); ++j)
         if (sites_[at(j)] == site) take(i, j);
+}
+
+/// Whether an edge of the input joins two vertices of the candidate's site: their stars overlap, and cannot go at once.
+bool Legality::touches_own_site(const Surface& surface, const Hole& hole) const {
+    return std::find(sites_.begin(), sites_.end(), surface.site(hole.candidate)) != sites_.end();
 }
 
 /// Walks around a copy of ring position i.

@@ -38,6 +38,7 @@ public:
 
 private:
     bool removable(const Surface& surface, const Hole& hole) const;
+    bool touches_own_site(const Surface& surface, const Hole& hole) const;
     void find_taken_edges(const Surface& surface, const Hole& hole);
     void find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole);
     void take(int i, int j);

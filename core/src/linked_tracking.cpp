@@ -69,6 +69,8 @@ public:
         from_finer_->commit(retriangulation);
     }
 
+    bool minds_turns() const override { return from_original_->minds_turns(); }
+
     std::size_t work() const override { return from_original_->work() + from_finer_->work(); }
 
 private:
