@@ -82,9 +82,18 @@ Status check_names(const Mesh& mesh, const Bounds& bounds) {
     return {};
 }
 
+/// Even where the variable is free: its errors could not be told.
+Status too_far_apart(const Variable& variable, bool is_data) {
+    return {is_data ? Fault::non_finite_value : Fault::non_finite_position,
+            "The values of \"" + variable.name + "\" lie farther apart than double precision can carry.",
+            variable.name,
+            {}};
+}
+
 Status resolve(const Variable& variable, const Bound& given, bool may_be_constant, ResolvedBound& resolved) {
     resolved.given = given;
     measure_values(variable, resolved);
+    if (!std::isfinite(resolved.extent)) return too_far_apart(variable, may_be_constant);
     resolved.constant = may_be_constant && resolved.extent <= constant_extent * resolved.magnitude;
     switch (given.kind) {
     case Bound::Kind::free: resolved.absolute = std::numeric_limits<double>::infinity(); return {};

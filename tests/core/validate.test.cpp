@@ -104,6 +104,23 @@ TEST(Validate, NonFinitePosition) {
     }
 }
 
+TEST(Validate, ValuesFartherApartThanADoubleHolds) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    const Status data = fault_of([](Input& input) {
+        doubles(input.mesh.variables[0])[4] = largest;
+        doubles(input.mesh.variables[0])[5] = -largest;
+        input.bounds = {{"*", free_of_bound()}};
+    });
+    EXPECT_EQ(data.fault, Fault::non_finite_value);
+    EXPECT_EQ(data.variable, "heat");
+    const Status position = fault_of([](Input& input) {
+        doubles(input.mesh.position)[0] = largest;
+        doubles(input.mesh.position)[3] = -largest;
+        input.bounds = {{"*", free_of_bound()}};
+    });
+    EXPECT_EQ(position.fault, Fault::non_finite_position);
+}
+
 TEST(Validate, NonFiniteValue) {
     const Status scalar = fault_of([](Input& input) { doubles(input.mesh.variables[0])[4] = nan; });
     EXPECT_EQ(scalar.fault, Fault::non_finite_value);

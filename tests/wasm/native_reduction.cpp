@@ -190,6 +190,7 @@ std::vector<meshes::Exhibit> exhibits() {
     add("bow tie", meshes::bow_tie(10));
     add("cubes on one edge", meshes::cubes_on_one_edge(6));
     add("one triangle reversed", meshes::one_triangle_reversed(12));
+    add("shared out in patches", meshes::noisy_sphere(30, 0.01, 1));
     add("degenerate triangles", meshes::with_degenerate_triangles(meshes::three_sheets(6)));
     return all;
 }
