@@ -19,6 +19,7 @@
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/oddities.hpp"
+#include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 
 namespace {
