@@ -60,9 +60,20 @@ test('the report has an entry of the usual shape for each level', async () => {
     bounds: { '*': { relative: 0.03 }, temperature: 'free', pressure: { relative: 0.02 } },
     errors: 'tracked',
     cost: 'introduced',
+    refusePiercing: false,
+    limitToFeatureSize: false,
   });
   for (const level of report.levels) {
-    expect(Object.keys(level)).toEqual(['file', 'triangles', 'variables', 'seconds', 'options', 'stopped']);
+    expect(Object.keys(level)).toEqual([
+      'file',
+      'triangles',
+      'turnedAway',
+      'featureSize',
+      'variables',
+      'seconds',
+      'options',
+      'stopped',
+    ]);
     expect(level.variables.map(({ name }: { name: string }) => name)).toEqual([
       'position',
       'pressure',
