@@ -18,7 +18,7 @@ export function writeVtk(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
     mesh.position,
     `\n${metadata(position, options)}POLYGONS ${triangles} ${triangles * (cornerCount + 1)}\n`,
     cellLists(mesh.triangles),
-    `\nPOINT_DATA ${points}\nFIELD FieldData ${mesh.variables.length}\n`,
+    mesh.variables.length > 0 ? `\nPOINT_DATA ${points}\nFIELD FieldData ${mesh.variables.length}\n` : '\n',
   ];
   for (const variable of mesh.variables) {
     const { name, components, values } = variable;
