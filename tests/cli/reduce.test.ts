@@ -229,33 +229,68 @@ test('variables from a CSV file are reduced like those of the surface', async ()
   expect(await folder.run('verify', 'engine.vtp', 'out.vtp', '-b', 'heat=0.1')).toMatchObject({ status: 2 });
 });
 
-test('a seam, where two sides of the surface carry different values at one place, does not crack', async () => {
-  const half = engine(8);
-  const vertices = half.position.length / 3;
-  // A second plate to the right, whose left edge is where the right edge of the first one is.
-  const moved = half.position.map((value, i) => (i % 3 === 0 ? 2 - value : value));
-  const turned = half.triangles.toReversed().map((vertex) => vertex + vertices);
-  const side = Float32Array.from({ length: 2 * vertices }, (_, vertex) => (vertex < vertices ? 0 : 1));
-  await folder.save('seam.glb', {
-    position: Float32Array.from([...half.position, ...moved]),
-    triangles: Uint32Array.from([...half.triangles, ...turned]),
-    variables: [{ name: 'side', components: 1, values: side }],
+/** Two plates of which the right one begins, with texture coordinates of its own, where the left one ends. */
+function plateWithSeam(): { whole: Mesh; sides: Mesh[] } {
+  const { position, triangles } = engine();
+  const vertices = position.length / 3;
+  const uv = (from: number) =>
+    Float32Array.from({ length: 2 * vertices }, (_, i) => (i % 2 === 0 ? from : 0) + position[3 * (i >> 1) + (i % 2)]);
+  const mirrored = position.map((value, i) => (i % 3 === 0 ? 2 - value : value));
+  const side = (places: Mesh['position'], corners: Uint32Array, from: number): Mesh => ({
+    position: Float32Array.from(places),
+    triangles: corners,
+    variables: [{ name: 'uv', components: 2, values: uv(from) }],
   });
-  const outcome = await folder.run('reduce', 'seam.glb', '-o', 'seam.vtp', '-b', '*=20%');
-  expect(outcome.status).toBe(0);
-  const { mesh } = await folder.read('seam.vtp');
-  expect(mesh.triangles.length).toBeLessThan(half.triangles.length);
-  const seamOf = (value: number) => {
-    const places = [...mesh.variables[0].values].flatMap((each, i) => (each === value ? [i] : []));
-    const points = places.map((i) => [...mesh.position.slice(3 * i, 3 * i + 3)]);
-    return points
-      .filter(([x]) => x === 1)
-      .map(String)
-      .toSorted();
+  const [left, right] = [side(position, triangles, 0), side(mirrored, triangles.toReversed(), 5)];
+  const values = Float32Array.from([left, right].flatMap(({ variables }) => [...variables[0].values]));
+  const whole = {
+    position: Float32Array.from([...left.position, ...right.position]),
+    triangles: Uint32Array.from([...left.triangles, ...right.triangles.map((vertex) => vertex + vertices)]),
+    variables: [{ name: 'uv', components: 2, values }],
   };
-  expect(seamOf(0)).toEqual(seamOf(1));
-  expect(seamOf(0)).toHaveLength(9);
-});
+  return { whole, sides: [left, right] };
+}
+
+/** The triangles of a plate with a seam whose texture coordinates say that they are on this side of it. */
+function sideOf({ position, triangles, variables }: Mesh, right: boolean): Mesh {
+  const { values } = variables[0];
+  const corners = triangles.filter((_, i) => values[2 * triangles[i - (i % 3)]] >= 5 === right);
+  return { position, triangles: corners, variables };
+}
+
+/** The places of its vertices at x = 1, each edge there as the two that it joins. */
+function seamOf({ position, triangles }: Mesh): string[] {
+  const place = (corner: number) => [...position.slice(3 * corner, 3 * corner + 3)];
+  const next = (i: number) => (i % 3 === 2 ? i - 2 : i + 1);
+  const edges = [...triangles].map((corner, i) => [place(corner), place(triangles[next(i)])]);
+  return edges
+    .filter((ends) => ends.every(([x]) => x === 1))
+    .map((ends) => ends.map(String).toSorted().join(' to '))
+    .toSorted();
+}
+
+test.each(['glb', 'obj', 'vtp'])(
+  'a seam of a .%s file gets shorter on both sides together, does not crack, and its bounds hold on either side',
+  async (format) => {
+    const { whole, sides } = plateWithSeam();
+    await folder.save(`seam.${format}`, whole);
+    const bounds = ['-b', 'position=0.05', '-b', 'uv=0.1'];
+    const outcome = await folder.run('reduce', `seam.${format}`, '-o', `less.${format}`, ...bounds);
+    expect(outcome.stderr).toContain('34 points on seams, where several lie in one place, will be reduced together.');
+    expect(outcome.status).toBe(0);
+    const { mesh } = await folder.read(`less.${format}`);
+    const reduced = [sideOf(mesh, false), sideOf(mesh, true)];
+    const [left, right] = reduced.map(seamOf);
+    expect(left).toEqual(right);
+    expect(left.length).toBeLessThan(seamOf(sides[0]).length / 2);
+    for (const [i, side] of sides.entries()) {
+      await folder.save('side.vtp', side);
+      await folder.save('less-side.vtp', reduced[i]);
+      const judged = await folder.run('verify', 'side.vtp', 'less-side.vtp', ...bounds);
+      expect(judged).toMatchObject({ status: 0, stderr: '' });
+    }
+  },
+);
 
 test('what is written for people puts neither a bound nor an error below what it is, nor an error above its bound', () => {
   const reached = { name: 'p', components: 1, extent: 81246.7, magnitude: 1e5, constant: false, refused: 0 };

@@ -311,9 +311,9 @@ describe('cancelling', () => {
   });
 });
 
-test('vertices on seams are locked', async () => {
+test('vertices that a reader wants to stay are locked', async () => {
   const locked = Uint32Array.of(1);
   const { session, runs } = setUp({ read: async () => ({ ...fileWith(meshWith('pressure')), locked }) });
-  await session.openFile(file('seam.glb'));
+  await session.openFile(file('touching.glb'));
   expect(runs[0].options.locked).toBe(locked);
 });

@@ -18,7 +18,7 @@ export interface Surface extends Labels {
   notes: string[];
   /** Labels of the triangles, by the names of the cell-data arrays that hold them. */
   regions?: ReadonlyMap<string, Int32Array>;
-  /** Points on seams; unless these stay (ReduceOptions.locked), cracks open. */
+  /** Points where sheets touch and no seam joins them; unless these stay (ReduceOptions.locked), gaps open. */
   locked?: Uint32Array;
 }
 

@@ -8,8 +8,6 @@ export interface Weld {
   mesh: Mesh;
   /** How many points went because another one is the same in place and all variables. */
   welded: number;
-  /** The points, in the new numbering, that share their place with others of different values. If they stay, nothing cracks. */
-  seams: Uint32Array;
 }
 
 /**
@@ -27,22 +25,18 @@ export function weld(mesh: Mesh): Weld {
     (variable): Variable => ({ ...variable, values: gather(variable.values, variable.components, kept) }),
   );
   const triangles = mesh.triangles.map((corner) => renumbered[same[corner]]);
-  const seams = sharedPlaces(position);
-  return { mesh: { position, triangles, variables }, welded: same.length - kept.length, seams };
+  return { mesh: { position, triangles, variables }, welded: same.length - kept.length };
 }
 
-/** Points that lie where another one lies. */
-export function sharedPlaces(position: Values): Uint32Array {
-  const places = firstOfEqual([{ values: position, components: 3 }], position.length / 3);
-  const shared = new Uint8Array(places.length);
-  for (const [point, first] of places.entries()) if (first !== point) shared[point] = shared[first] = 1;
-  return Uint32Array.from(shared.keys()).filter((point) => shared[point] === 1);
+/** For each point the first one in the same place. */
+export function placesOf(position: Values): Uint32Array {
+  return firstOfEqual([{ values: position, components: 3 }], position.length / 3);
 }
 
 type Row = Pick<Variable, 'values' | 'components'>;
 
-/** For each point the first one whose numbers are all the same: 0 and −0 are, and NaN is like NaN. */
-function firstOfEqual(rows: Row[], points: number): Uint32Array {
+/** For each row of numbers, a point or whatever has them, the first one that is the same: 0 and −0 are, and NaN is like NaN. */
+export function firstOfEqual(rows: Row[], points: number): Uint32Array {
   // Open addressing, at most half full.
   const size = 2 ** Math.ceil(Math.log2(2 * points + 2));
   const table = new Uint32Array(size).fill(none);

@@ -1,31 +1,27 @@
 import type { Mesh } from '../../wasm/types.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
-import { type Weld, weld } from './weld.ts';
+import { placesOf, type Weld, weld } from './weld.ts';
 import { counted } from './wording.ts';
 
 /**
  * A surface of a format made for drawing, welded. Normals that differ in one place draw a crease and nothing else: they follow
- * from the surface, so they go rather than hold it fast. `copies` as in sealed.
+ * from the surface, so they go rather than cut it up. `copies` as in sealed.
  */
 export function weldedSurface(mesh: Mesh, notes: string[], copies = 0): Surface {
   return { ...sealed(withoutCreases(mesh, notes), notes, copies), ...noLabels() };
 }
 
-/**
- * What was welded, with seams locked that would crack; says so in its notes. `copies` points were repeated not in the file
- * but by its reader, which need not be said.
- */
-export function sealed({ mesh, welded, seams }: Weld, notes: string[], copies = 0): Omit<Surface, keyof Labels> {
+/** What was welded; says so in its notes. `copies` points were repeated not in the file but by its reader, which need not be said. */
+export function sealed({ mesh, welded }: Weld, notes: string[], copies = 0): Omit<Surface, keyof Labels> {
   if (welded > copies) notes.push(`${counted(welded - copies, 'repeated point')} welded.`);
-  if (seams.length === 0) return { mesh, notes };
-  notes.push(`${counted(seams.length, 'point')} on seams, where one place has several values, will stay as they are.`);
-  return { mesh, notes, locked: seams };
+  return { mesh, notes };
 }
 
 function withoutCreases(mesh: Mesh, notes: string[]): Weld {
   const result = weld(mesh);
   const variables = mesh.variables.filter(({ name }) => name !== 'normal');
-  if (result.seams.length === 0 || variables.length === mesh.variables.length) return result;
+  if (variables.length === mesh.variables.length) return result;
+  if (placesOf(result.mesh.position).every((first, point) => first === point)) return result;
   const smooth = weld({ ...mesh, variables });
   const creases = smooth.welded - result.welded;
   if (creases === 0) return result;

@@ -7,7 +7,7 @@ import type { Watchers } from './services.ts';
 /** What a file holds. */
 export interface OpenedFile {
   mesh: Mesh;
-  /** Vertices that must stay, because the file has seams there. */
+  /** Vertices that must stay, because sheets only touch there. */
   locked?: Uint32Array;
   /** What the reader did to the file that its owner should know. */
   notes: string[];

@@ -33,7 +33,7 @@ export interface OpenSurface extends Source {
   labels: Labels;
   /** Position first, then the mesh's variables in their order. */
   variables: VariableExtent[];
-  /** Vertices that must stay, because the file has seams there. */
+  /** Vertices that must stay, because sheets only touch there. */
   locked: Uint32Array | undefined;
 }
 

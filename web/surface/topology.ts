@@ -25,14 +25,17 @@ export function topologyOf(triangles: Uint32Array, vertices: number): Topology {
   };
 }
 
-/** Marks the vertices of edges that only one triangle has with 1. */
-export function boundaryVertices(triangles: Uint32Array, vertices: number): Uint8Array {
+/** The edges at which sheets end: of one triangle, of three or more, or of two that disagree. Two vertices each. */
+export function sheetEnds(triangles: Uint32Array, vertices: number): Uint32Array {
   const surface = withoutRepeatedVertices(triangles);
-  const marks = new Uint8Array(vertices);
+  const ends = new Uint32Array(2 * surface.length);
+  let length = 0;
   new Edges(surface, vertices).forEach((corners) => {
-    if (corners.length === 1) marks[surface[corners[0]]] = marks[surface[next(corners[0])]] = 1;
+    if (corners.length === 2 && isManifold(surface, corners)) return;
+    ends[length++] = surface[corners[0]];
+    ends[length++] = surface[next(corners[0])];
   });
-  return marks;
+  return ends.slice(0, length);
 }
 
 function withoutRepeatedVertices(triangles: Uint32Array): Uint32Array {
