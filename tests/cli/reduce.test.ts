@@ -382,10 +382,39 @@ test('cell data part the surface into regions, which keep their borders and thei
     }
   });
   expect(labels?.length).toBeLessThan(regions.length / 2);
+  const converted = await folder.run('convert', 'regions.vtp', 'converted.vtp');
+  expect(converted.stderr).toContain('Not carried: cell data “regions”.');
   const missing = await run('--region', 'part');
   expect(missing.stderr).toContain(
     'there is no cell data “part” to part it into regions; those of whole numbers are “regions”.',
   );
+});
+
+test('cell data of a legacy VTK file part the surface into regions, too', async () => {
+  const { position, triangles } = original;
+  const cells = Array.from({ length: triangles.length / 3 }, (_, i) => triangles.slice(3 * i, 3 * i + 3).join(' '));
+  folder.write(
+    'regions.vtk',
+    [
+      ...['# vtk DataFile Version 3.0', 'plate', 'ASCII', 'DATASET POLYDATA'],
+      ...[`POINTS ${position.length / 3} double`, position.join(' ')],
+      ...['LINES 1 3', '2 0 1', `POLYGONS ${cells.length} ${4 * cells.length}`, ...cells.map((cell) => `3 ${cell}`)],
+      ...[`CELL_DATA ${cells.length + 1}`, 'SCALARS part int', 'LOOKUP_TABLE default'],
+      ...[99, ...cells.map((_, cell) => (cell % 32 < 16 ? 7 : -3))],
+    ].join('\n'),
+  );
+  const run = (...args: string[]) => folder.run('reduce', 'regions.vtk', '-o', 'out.vtp', '-b', '*=8%', ...args);
+  expect((await run()).stderr).toContain('(--region): cell data “part”.');
+  expect(await run('--region', 'part')).toMatchObject({ status: 0 });
+  const { mesh, regions } = await folder.read('out.vtp');
+  const labels = [...(regions?.get('part') ?? [])];
+  expect(new Set(labels)).toEqual(new Set([7, -3]));
+  expect(labels.length).toBeLessThan(cells.length / 2);
+  for (const [triangle, label] of labels.entries()) {
+    const across = [...mesh.triangles.slice(3 * triangle, 3 * triangle + 3)].map((corner) => mesh.position[3 * corner]);
+    if (label === 7) expect(Math.max(...across)).toBeLessThanOrEqual(0.5);
+    else expect(Math.min(...across)).toBeGreaterThanOrEqual(0.5);
+  }
 });
 
 test('no part pierces another where that is refused', async () => {

@@ -68,17 +68,26 @@ export function settingsOf({ points, region, ...settings }: Keeping, locked: Uin
   return { ...settings, locked: all };
 }
 
-/** The surface with the labels of a cell-data array as its regions. Throws a Fault where it has no such array. */
+/**
+ * The surface with the labels of a cell-data array as its regions, if one is asked for. Its notes say which others could be.
+ * Throws a Fault where it has no such array.
+ */
 export function withRegions<Labelled extends OpenedSurface>({ region }: Keeping, surface: Labelled): Labelled {
-  if (region === undefined) return surface;
-  const regions = surface.regions?.get(region);
-  if (regions) {
-    const unused = new Map([...(surface.regions ?? [])].filter(([name]) => name !== region));
-    const before = regionNotes(surface.regions);
-    const notes = [...surface.notes.filter((note) => !before.includes(note)), ...regionNotes(unused)];
-    return { ...surface, mesh: { ...surface.mesh, regions }, regionName: region, notes };
-  }
   const names = [...(surface.regions?.keys() ?? [])];
+  const notes = [...withoutRegionNotes(surface), ...unusedNotes(names.filter((name) => name !== region))];
+  if (region === undefined) return { ...surface, notes };
+  const regions = surface.regions?.get(region);
+  if (regions) return { ...surface, mesh: { ...surface.mesh, regions }, regionName: region, notes };
   const known = names.length > 0 ? `those of whole numbers are ${listed(names)}` : 'it has none of whole numbers';
   throw new Fault(`${surface.path}: there is no cell data ${quoted(region)} to part it into regions; ${known}.`);
+}
+
+function withoutRegionNotes({ notes, regions }: OpenedSurface): string[] {
+  const neutral = regionNotes(regions);
+  return notes.filter((note) => !neutral.includes(note));
+}
+
+function unusedNotes(names: string[]): string[] {
+  if (names.length === 0) return [];
+  return [`Not carried unless it parts the surface into regions (--region): cell data ${listed(names)}.`];
 }

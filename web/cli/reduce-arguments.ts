@@ -24,7 +24,7 @@ Options:
                           propagated: added up from removal to removal, as in the paper; more triangles stay
   --cost WHAT             with propagated errors, what the choice among retriangulations makes small:
                           introduced (default): the error of this removal; max: the error so far
-  --region NAME           cell data of IN (whole numbers, .vtp) that part the surface into regions: their borders are
+  --region NAME           cell data of IN (whole numbers, .vtp, .vtk) that part the surface into regions: their borders are
                           kept within the bounds, each side keeps its number; written with a .vtp
   --refuse-piercing       let no part of the surface pierce another that passes near; takes about half as long again
   --limit-to-feature-size limit the bound of position to half the distance of the nearest parts that face each other

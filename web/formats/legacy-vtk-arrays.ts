@@ -17,13 +17,13 @@ const fixedAttributes = new Map([
   ['EDGE_FLAGS', 1],
 ]);
 
-/** Arrays are read alike for points (kept), for cells and for the whole file (only their names are kept). */
+/** Arrays are read alike for points (kept), for cells (kept if they can be labels) and for the whole file (only their names are). */
 export interface Attributes {
   noun: string;
   /** How many tuples an array must have; undefined where each says so itself. */
   tuples: number | undefined;
   arrays: PointArray[];
-  /** What is skipped: text arrays of points, all arrays of others. */
+  /** What is skipped: texts, what cannot be labels of cells, all arrays of the file. */
   lost: string[];
 }
 
@@ -105,7 +105,9 @@ function readArray(shape: ArrayShape, text: LegacyVtkText, attributes: Attribute
     });
   }
   readMetadata(text, array, isPoints ? labels : noLabels());
-  if (isPoints && components > 0 && array.values.length === components * tuples) attributes.arrays.push(array);
+  const whole = components > 0 && array.values.length === components * tuples;
+  const isLabel = attributes.noun === 'cell data' && array.integers && components === 1;
+  if (whole && (isPoints || isLabel)) attributes.arrays.push(array);
   else attributes.lost.push(name);
   return array;
 }

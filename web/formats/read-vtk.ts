@@ -4,9 +4,10 @@ import { readCells } from './legacy-vtk-cells.ts';
 import { decodeName, LegacyVtkText } from './legacy-vtk-text.ts';
 import { countOf, typeOf } from './legacy-vtk-words.ts';
 import { noPolygons, type Polygons } from './polygons.ts';
+import { regionNotes } from './region-notes.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
 import { cutNotes as lineBreakNotes } from './text-lines.ts';
-import { cellDataAdvice, meshOfPieces, type PointArray } from './vtk-pieces.ts';
+import { cellDataAdvice, labelsOfTriangles, meshOfPieces, type PointArray } from './vtk-pieces.ts';
 import { isFloat } from './vtk-values.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
 
@@ -42,10 +43,23 @@ export function readVtk(bytes: Uint8Array): Surface {
   }
   const { position, polygons, strips, points, labels } = parts;
   if (!position) throw new FormatError('no_points', 'The file has no POINTS.');
-  const notes = lossNotes(parts);
-  const mesh = meshOfPieces([{ prefix: '', position, arrays: points.arrays, polygons, strips }], notes);
-  notes.push(...cutNotes(bytes, text, points));
-  return { mesh, notes, ...labels };
+  const changes: string[] = [];
+  const mesh = meshOfPieces([{ prefix: '', position, arrays: points.arrays, polygons, strips }], changes);
+  const regions = readRegions(parts);
+  const notes = [...lossNotes(parts, regions), ...regionNotes(regions), ...changes, ...cutNotes(bytes, text, points)];
+  return { mesh, notes, ...labels, regions };
+}
+
+/** Cell data of one whole number a cell, as labels of the triangles; of files without strips, whose triangles follow the cells. */
+function readRegions({ cells, polygons, strips, verts, lines }: Parts): Map<string, Int32Array> {
+  const regions = new Map<string, Int32Array>();
+  const before = verts + lines;
+  if (strips.ends.length > 0 || cells.tuples !== before + polygons.ends.length) return regions;
+  for (const { name, values } of cells.arrays) {
+    const labels = labelsOfTriangles(values, before, polygons);
+    if (labels && name !== '') regions.set(name, labels);
+  }
+  return regions;
 }
 
 function newParts(version: number): Parts {
@@ -136,14 +150,19 @@ function skipMetadata(text: LegacyVtkText): void {
   for (let line = text.line(); line; line = text.line());
 }
 
-function lossNotes({ points, cells, file, verts, lines, colourMaps }: Parts): string[] {
-  const named = [points, cells, file].filter(({ lost }) => lost.length > 0);
+function lossNotes(
+  { points, cells, file, verts, lines, colourMaps }: Parts,
+  regions: ReadonlyMap<string, unknown>,
+): string[] {
+  const unfit = cells.arrays.map(({ name }) => name).filter((name) => !regions.has(name));
+  const ofCells = { noun: cells.noun, lost: [...cells.lost, ...unfit] };
+  const named = [points, ofCells, file].filter(({ lost }) => lost.length > 0);
   const lost = named.map(({ noun, lost: names }) => `${noun} ${listed(names)}`);
   if (verts > 0) lost.push(counted(verts, 'vertex cell'));
   if (lines > 0) lost.push(counted(lines, 'line'));
   if (colourMaps.length > 0) lost.push(`colour maps ${listed(colourMaps)}`);
   const notes = lost.length > 0 ? [`Not carried: ${lost.join('; ')}.`] : [];
-  return cells.lost.length > 0 ? [...notes, cellDataAdvice] : notes;
+  return ofCells.lost.length > 0 ? [...notes, cellDataAdvice] : notes;
 }
 
 /** The format declares no length, so a file that was cut between two arrays looks whole. What can be suspected is said. */

@@ -6,7 +6,15 @@ import { noPolygons, type Polygons } from './polygons.ts';
 import { regionNotes } from './region-notes.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
 import { type AppendedData, isFloatArray, readDataArray, type VtkPacking } from './vtk-data-array.ts';
-import { asEnds, asIndices, cellDataAdvice, meshOfPieces, type Piece, type PointArray } from './vtk-pieces.ts';
+import {
+  asEnds,
+  asIndices,
+  cellDataAdvice,
+  labelsOfTriangles,
+  meshOfPieces,
+  type Piece,
+  type PointArray,
+} from './vtk-pieces.ts';
 import type { VtkValues } from './vtk-values.ts';
 import { weld } from './weld.ts';
 import { sealed } from './welded-surface.ts';
@@ -32,9 +40,10 @@ export function readVtp(bytes: Uint8Array): Surface {
   const pieces = pieceNodes.map((node, index) =>
     readPiece(node, packing, pieceNodes.length > 1 ? `piece ${index} ` : ''),
   );
+  const changes: string[] = [];
+  const mesh = meshOfPieces(pieces, changes);
   const regions = readRegions(pieceNodes, pieces, packing);
-  const notes = [...notCarried(data, pieceNodes, regions), ...regionNotes(regions)];
-  const mesh = meshOfPieces(pieces, notes);
+  const notes = [...notCarried(data, pieceNodes, regions), ...regionNotes(regions), ...changes];
   const labels = labelsOf(pieceNodes, mesh.variables);
   // Pieces repeat the points where they meet.
   return pieces.length > 1 ? { ...sealed(weld(mesh), notes), ...labels, regions } : { mesh, notes, ...labels, regions };
@@ -48,7 +57,7 @@ function readRegions(nodes: XmlNode[], pieces: Piece[], packing: VtkPacking): Ma
   for (const name of arraysOf[0].keys()) {
     const found = arraysOf.flatMap((arrays) => arrays.get(name) ?? []);
     if (found.length < nodes.length) continue;
-    const parts = found.flatMap((node, index) => labelsOfTriangles(node, nodes[index], pieces[index], packing) ?? []);
+    const parts = found.flatMap((node, index) => labelsInPiece(node, nodes[index], pieces[index], packing) ?? []);
     if (parts.length === nodes.length) regions.set(name, joined(parts, Int32Array));
   }
   return regions;
@@ -61,26 +70,16 @@ function labelArrays(piece: XmlNode): Map<string, XmlNode> {
   return new Map(fitting.map((node) => [node.attributes.Name ?? '', node]));
 }
 
-/** Polygon by polygon; vertex cells and lines come before, and a polygon of n corners is n − 2 triangles. Null where a value is none of 32 bits. */
-function labelsOfTriangles(
+/** See labelsOfTriangles. */
+function labelsInPiece(
   node: XmlNode,
   piece: XmlNode,
   { polygons, prefix }: Piece,
   packing: VtkPacking,
 ): Int32Array | null {
   const before = countOf(piece, 'NumberOfVerts') + countOf(piece, 'NumberOfLines');
-  const { ends } = polygons;
   const where = `array ${prefix}${quoted(node.attributes.Name ?? '')}`;
-  const values = readDataArray(node, before + ends.length, packing, where);
-  if (values.some((value: number) => value !== Math.trunc(value) || Math.abs(value) >= 2 ** 31)) return null;
-  const labels = new Int32Array(ends.length > 0 ? ends[ends.length - 1] - 2 * ends.length : 0);
-  let triangle = 0;
-  ends.forEach((end, polygon) => {
-    const corners = end - (polygon > 0 ? ends[polygon - 1] : 0);
-    labels.fill(values[before + polygon], triangle, triangle + corners - 2);
-    triangle += corners - 2;
-  });
-  return labels;
+  return labelsOfTriangles(readDataArray(node, before + polygons.ends.length, packing, where), before, polygons);
 }
 
 function openDocument(bytes: Uint8Array): { root: XmlNode; appended: AppendedData | undefined } {

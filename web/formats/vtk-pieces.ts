@@ -124,3 +124,19 @@ export function asEnds(values: VtkValues, where: string): Uint32Array {
   if (falling < 0) return ends;
   throw new FormatError('bad_polygon', `The ${where} falls at ${grouped(falling)}.`, where);
 }
+
+/**
+ * Whole numbers of cells as labels of the triangles, polygon by polygon; `before` cells are no surface and come first, and a
+ * polygon of n corners is n − 2 triangles. Null where a number is none of 32 bits.
+ */
+export function labelsOfTriangles(values: VtkValues, before: number, { ends }: Polygons): Int32Array | null {
+  if (values.some((value: number) => value !== Math.trunc(value) || Math.abs(value) >= 2 ** 31)) return null;
+  const labels = new Int32Array(ends.length > 0 ? ends[ends.length - 1] - 2 * ends.length : 0);
+  let triangle = 0;
+  ends.forEach((end, polygon) => {
+    const corners = end - (polygon > 0 ? ends[polygon - 1] : 0);
+    labels.fill(values[before + polygon], triangle, triangle + corners - 2);
+    triangle += corners - 2;
+  });
+  return labels;
+}

@@ -1,0 +1,79 @@
+import { describe, expect, it } from 'vitest';
+import { readSurface } from '../../web/formats/read.ts';
+import { expectFault } from './faults.ts';
+import { bytesOf } from './sample-mesh.ts';
+
+const vtpTypes = { int: 'Int32', long: 'Int64', float: 'Float32' };
+
+interface Cells {
+  /** As legacy VTK has them, a cell a line: the number of corners, then the corners. */
+  polygons?: string[];
+  /** Values of a line, which is a cell too, then of the polygons. */
+  values?: number[];
+  type?: keyof typeof vtpTypes;
+}
+
+const both = ['4 0 1 2 3', '3 0 3 4'];
+
+/** A line, a square and a triangle, in text. */
+function legacyVtk({ polygons = both, values = [9, 1, -2], type = 'int' }: Cells): string {
+  const numbers = polygons.reduce((sum, polygon) => sum + polygon.split(' ').length, 0);
+  return [
+    ...['# vtk DataFile Version 3.0', 'title', 'ASCII', 'DATASET POLYDATA'],
+    ...['POINTS 5 float', '0 0 0 1 0 0 1 1 0 0 1 0 -1 1 0', 'LINES 1 3', '2 0 1'],
+    ...[`POLYGONS ${polygons.length} ${numbers}`, ...polygons],
+    ...[`CELL_DATA ${values.length}`, `SCALARS part ${type}`, 'LOOKUP_TABLE default', values.join(' ')],
+  ].join('\n');
+}
+
+function vtp({ polygons = both, values = [9, 1, -2], type = 'int' }: Cells): string {
+  const array = (kind: string, name: string, numbers: unknown[]) =>
+    `<DataArray type="${kind}" Name="${name}" format="ascii">${numbers.join(' ')}</DataArray>`;
+  const rows = polygons.map((polygon) => polygon.split(' ').slice(1));
+  const ends = rows.map((_, i) => rows.slice(0, i + 1).flat().length);
+  const cells = (tag: string, corners: unknown[], offsets: unknown[]) =>
+    `<${tag}>${array('Int64', 'connectivity', corners)}${array('Int64', 'offsets', offsets)}</${tag}>`;
+  const points =
+    '<DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 1 1 0 0 1 0 -1 1 0</DataArray>';
+  const labels = array(vtpTypes[type], 'part', values);
+  const counts = `NumberOfPoints="5" NumberOfLines="1" NumberOfPolys="${rows.length}"`;
+  return `<?xml version="1.0"?>\n<VTKFile type="PolyData"><PolyData><Piece ${counts}><Points>${points}</Points><CellData>${labels}</CellData>${cells('Lines', [0, 1], [2])}${cells('Polys', rows.flat(), ends)}</Piece></PolyData></VTKFile>`;
+}
+
+describe.each([
+  ['vtk', legacyVtk],
+  ['vtp', vtp],
+] as const)('cell data of whole numbers, %s', (_, file) => {
+  const read = (cells: Cells) => readSurface('', bytesOf(file(cells)));
+
+  it('are labels of the triangles that the polygons are split into', async () => {
+    const { mesh, regions } = await read({});
+    expect(mesh.triangles).toHaveLength(9);
+    expect(regions).toEqual(new Map([['part', Int32Array.of(1, 1, -2)]]));
+  });
+
+  it('are said to be lost in words that fit the page and every command', async () => {
+    const { notes } = await read({});
+    expect(notes).toContain('Not carried: cell data “part”.');
+    expect(notes.join(' ')).not.toContain('--');
+  });
+
+  it.each<[string, Cells]>([
+    ['fractions', { values: [9, 1, 0.5], type: 'float' }],
+    ['numbers of more than 32 bits', { values: [9, 2 ** 31, 1], type: 'long' }],
+  ])('are none where they are %s', async (_what, cells) => {
+    const { regions, summary } = await read(cells);
+    expect([...(regions?.keys() ?? [])]).toEqual([]);
+    expect(summary).toMatch(/Not carried: cell data “part”; 1 line\..*Cell Data to Point Data/);
+  });
+
+  it('do not hide that a polygon has too few corners', async () => {
+    await expectFault(file({ polygons: ['1 0', '1 1'] }), 'bad_polygon', 'Polygon 0 has 1 corner');
+  });
+});
+
+it('cell data of a legacy VTK file for more cells than there are are no labels', async () => {
+  const { regions, summary } = await readSurface('', bytesOf(legacyVtk({ values: [9, 1, -2, 4] })));
+  expect(regions?.size).toBe(0);
+  expect(summary).toContain('Not carried: cell data “part”; 1 line.');
+});
