@@ -69,6 +69,20 @@ test('what attributes say, properties say too, and the view shows', async ({ pag
   await expect(byProperty.locator('.sentence')).toHaveCount(1);
 });
 
+test('as a morph it shows the reduced surface alone, in levels of detail with a slider', async ({ page }) => {
+  await openOwnPage(page, usual.replace('controls', 'controls view="morph"'));
+  const viewer = page.locator('meshbound-viewer');
+  await expect(viewer.locator('#reduced .caption')).toContainText('Level 1');
+  await expect(viewer.locator('#original')).toBeHidden();
+  expect(await viewer.evaluate((element: Viewer) => element.levelCount)).toBe(4);
+  await viewer.getByRole('slider', { name: /level/i }).fill('2.5');
+  await expect.poll(() => viewer.evaluate((element: Viewer) => element.level)).toBe(2.5);
+  await viewer.evaluate((element: Viewer) => {
+    element.view = 'split';
+  });
+  await expect(viewer.locator('#original')).toBeVisible();
+});
+
 test('levels of detail are made, shown, told of and saved', async ({ page }) => {
   await openOwnPage(page, usual.replace('controls', 'controls level="2" level-count="3"'));
   const viewer = page.locator('meshbound-viewer');

@@ -229,7 +229,10 @@ export class MeshboundViewer extends LitElement implements WantedView {
   declare colormap: ValueColormap | null;
   /** What the map for values spans: `data` (default), percentiles as `2%…98%`, or two values as `0…1.5`. */
   declare range: string | null;
-  /** `split` (default), `wipe` (one over the other, with a divider to drag), `original` or `reduced`. */
+  /**
+   * `split` (default), `wipe` (one over the other, with a divider to drag), `original`, `reduced`, or `morph`
+   * (the reduced surface with levels of detail, of which there are then four unless `level-count` says otherwise).
+   */
   declare view: View | null;
   /** Whether every triangle is shaded as the plane that it is. */
   declare flat: boolean;
@@ -550,6 +553,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
 
   override willUpdate(changed: PropertyValues<this>): void {
     if (methodAttributes.some((name) => changed.has(name))) this.session.setMethod(methodFrom(this));
+    if (changed.has('view') && this.view === 'morph' && this.levelCount === 0) this.levelCount = levelsToMorph;
     if (changed.has('src') && this.src) this.#load();
   }
 
@@ -791,6 +795,9 @@ function asAttribute(value: string | boolean | number | null): string | null {
   if (typeof value === 'number') return String(Number(value.toFixed(2)));
   return typeof value === 'boolean' ? (value ? '' : null) : value;
 }
+
+/** A morph needs levels; so many where none are asked for. */
+const levelsToMorph = 4;
 
 const levelProperties = { 'level-count': 'levelCount', level: 'level', 'level-pixels': 'levelPixels' } as const;
 

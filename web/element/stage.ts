@@ -95,11 +95,13 @@ export class Stage extends LitElement {
       }
       .panes.original,
       .panes.reduced,
+      .panes.morph,
       .panes.wipe {
         grid-template: 1fr / 1fr;
       }
       .panes.original #reduced,
-      .panes.reduced #original {
+      .panes.reduced #original,
+      .panes.morph #original {
         display: none;
       }
       .panes.wipe .pane {

@@ -9,8 +9,8 @@ import { parseClip } from '../viewer/look.ts';
 export const quantities = ['value', 'error', 'signed-error'] as const;
 export type Quantity = (typeof quantities)[number];
 
-/** Both side by side, one alone, or one over the other with a divider to drag. */
-export const views = ['split', 'wipe', 'original', 'reduced'] as const;
+/** Both side by side, one over the other with a divider to drag, one alone, or the reduced one in its levels of detail. */
+export const views = ['split', 'wipe', 'original', 'reduced', 'morph'] as const;
 export type View = (typeof views)[number];
 
 /** How the surfaces are looked at. */

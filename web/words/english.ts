@@ -123,7 +123,7 @@ export const english = {
     map: 'Map',
     ownMaps: 'Errors have colour maps of their own.',
     view: 'View',
-    views: { split: 'side by side', wipe: 'wipe', original: 'original', reduced: 'reduced' },
+    views: { split: 'side by side', wipe: 'wipe', original: 'original', reduced: 'reduced', morph: 'morph' },
     edges: 'Edges',
     oneCamera: 'One camera',
     more: 'More',
