@@ -8,7 +8,7 @@
 namespace meshbound {
 namespace {
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>; // of sites, the lower one first
+using Edge = std::pair<std::uint32_t, std::uint32_t>; // of sites or vertices of the input, the lower one first
 
 } // namespace
 
@@ -50,7 +50,22 @@ bool Removal::enter() {
         part.removals->enter(part.hole);
         joined_.push_back(part.removals.get());
     }
-    return true;
+    return count_ == 1 || !would_close_slit();
+}
+
+/// Whether the closing edges of two sides of a seam would join the same vertices of the input, which their candidates are not:
+/// the slit between the two would close to one edge, and a boundary vanish.
+bool Removal::would_close_slit() const {
+    const auto ends = [&](const Hole& hole) -> Edge {
+        return std::minmax({surface_.input(hole.ring.front()), surface_.input(hole.ring.back())});
+    };
+    for (std::size_t n = 1; n < count_; ++n)
+        for (std::size_t m = 0; m < n; ++m) {
+            const Hole &one = parts_[m]->hole, &other = parts_[n]->hole;
+            if (surface_.input(one.candidate) != surface_.input(other.candidate) && ends(one) == ends(other))
+                return true;
+        }
+    return false;
 }
 
 bool Removal::triangulate() {

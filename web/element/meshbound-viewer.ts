@@ -110,8 +110,8 @@ export class MeshboundViewer extends LitElement implements WantedView {
     bounds: { noAccessor: true },
     errors: {},
     cost: {},
-    refusePiercing: { type: Boolean },
-    limitToFeatureSize: { type: Boolean },
+    refusePiercing: { attribute: 'refuse-piercing', type: Boolean },
+    limitToFeatureSize: { attribute: 'limit-to-feature-size', type: Boolean },
     variable: {},
     component: {},
     show: {},
@@ -215,9 +215,17 @@ export class MeshboundViewer extends LitElement implements WantedView {
   declare errors: Method['errors'] | null;
   /** What retriangulation makes small where errors are propagated: the error `introduced` (default), or the `maximum`. */
   declare cost: Method['cost'] | null;
-  /** Let no part of the surface pierce another one that passes near, in exchange for about half the time more. */
+  /**
+   * Let no part of the surface pierce another one that passes near, in exchange for about half the time more.
+   *
+   * @attr refuse-piercing
+   */
   declare refusePiercing: boolean;
-  /** Limit the bound of position to half the smallest distance between two parts of the surface that face each other. */
+  /**
+   * Limit the bound of position to half the smallest distance between two parts of the surface that face each other.
+   *
+   * @attr limit-to-feature-size
+   */
   declare limitToFeatureSize: boolean;
   /** What the surfaces are coloured by: a variable, `position` among them. Default: the first that varies. */
   declare variable: string | null;
@@ -799,12 +807,18 @@ function asAttribute(value: string | boolean | number | null): string | null {
 /** A morph needs levels; so many where none are asked for. */
 const levelsToMorph = 4;
 
-const levelProperties = { 'level-count': 'levelCount', level: 'level', 'level-pixels': 'levelPixels' } as const;
+/** Of attributes whose properties are called otherwise. */
+const properties = {
+  'refuse-piercing': 'refusePiercing',
+  'limit-to-feature-size': 'limitToFeatureSize',
+  'level-count': 'levelCount',
+  'level-pixels': 'levelPixels',
+} as const;
 
 function propertyOf(name: (typeof viewAttributes)[number]) {
-  return name in levelProperties
-    ? levelProperties[name as keyof typeof levelProperties]
-    : (name as Exclude<typeof name, keyof typeof levelProperties>);
+  return name in properties
+    ? properties[name as keyof typeof properties]
+    : (name as Exclude<typeof name, keyof typeof properties>);
 }
 
 function methodFrom({ errors, cost, refusePiercing, limitToFeatureSize }: MeshboundViewer): Method {
