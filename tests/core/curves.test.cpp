@@ -18,6 +18,7 @@
 #include "meshes/fields.hpp"
 #include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
+#include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
 #include "promise.hpp"
@@ -257,6 +258,37 @@ TEST_P(Curves, NoCrackOpensAlongASeam) {
         for (const auto& edge : after) EXPECT_EQ(after.count(edge), 2U) << "a crack";
         EXPECT_LT(after.size(), before.size());
     }
+}
+
+/// A plane that is slit along x = 0.5 between y = 0.25 and y = 0.75: the vertices between the ends of the slit stand twice.
+Mesh slit_plane() {
+    constexpr int cells = 8;
+    Mesh mesh = meshes::plane(cells, cells);
+    auto& position = std::get<std::vector<double>>(mesh.position.values);
+    const auto in_slit = [](glm::dvec3 p) { return p.x == 0.5 && p.y > 0.25 && p.y < 0.75; };
+    std::map<std::uint32_t, std::uint32_t> copies;
+    for (glm::uvec3& t : mesh.triangles) {
+        double middle = 0;
+        for (int i = 0; i < 3; ++i) middle += meshes::point(mesh, t[i]).x / 3;
+        for (int i = 0; i < 3 && middle > 0.5; ++i) {
+            const glm::dvec3 p = meshes::point(mesh, t[i]);
+            if (!in_slit(p)) continue;
+            const auto next = static_cast<std::uint32_t>(position.size() / 3);
+            const auto [copy, is_new] = copies.try_emplace(t[i], next);
+            if (is_new) position.insert(position.end(), {p.x, p.y, p.z});
+            t[i] = copy->second;
+        }
+    }
+    return mesh;
+}
+
+/// Found by the fuzzer: shortened to one edge, both sides had the same two ends, and were one.
+TEST_P(Curves, ASlitStaysOpen) {
+    const Mesh mesh = slit_plane();
+    ASSERT_EQ(meshes::topology(mesh).boundary_loops, 2U);
+    const Reduction reduction = promise::reduced(mesh, {{"position", relative(1)}}, GetParam().options());
+    EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 2);
+    promise::expect_same_topology(mesh, reduction);
 }
 
 std::size_t on_seam(const Reduction& reduction) {
