@@ -103,17 +103,8 @@ TEST_P(Orientation, TheMapCountsNoTurnedTriangleAsAFold) {
 
 /// A Möbius band in front of a sphere.
 Mesh band_and_ball() {
-    const int around = 40, across = 6;
-    Mesh band = meshes::grid(around, across, [](double u, double v) {
-        const double angle = 2 * 3.141592653589793 * u, half = 0.4 * (2 * v - 1);
-        const double radius = 1 + half * std::cos(angle / 2);
-        return glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), half * std::sin(angle / 2));
-    });
-    for (glm::uvec3& t : band.triangles)
-        for (int i = 0; i < 3; ++i)
-            if (t[i] % (around + 1) == around) t[i] = (across - t[i] / (around + 1)) * (around + 1);
     return meshes::joined(meshes::mapped(meshes::sphere(6), [](glm::dvec3 p) { return p + glm::dvec3(5, 0, 0); }),
-                          band);
+                          meshes::moebius_band(40, 6));
 }
 
 TEST_P(Orientation, WhatHasNoTwoSidesIsLeftAsItIsAndSaid) {

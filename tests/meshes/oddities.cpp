@@ -1,5 +1,7 @@
 #include "meshes/oddities.hpp"
 
+#include <cmath>
+#include <cstdint>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -90,6 +92,19 @@ std::vector<Mesh> odd_surfaces() {
                              cut(sphere(8), [](glm::dvec3 p) { return p.z < 0.3; })};
     for (Mesh& mesh : odd) add_usual_fields(mesh);
     return odd;
+}
+
+Mesh moebius_band(int around, int across) {
+    Mesh band = grid(around, across, [](double u, double v) {
+        const double angle = 2 * 3.141592653589793 * u, half = 0.4 * (2 * v - 1);
+        const double radius = 1 + half * std::cos(angle / 2);
+        return glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), half * std::sin(angle / 2));
+    });
+    const auto last = static_cast<std::uint32_t>(around), rows = static_cast<std::uint32_t>(across);
+    for (glm::uvec3& t : band.triangles)
+        for (int i = 0; i < 3; ++i)
+            if (t[i] % (last + 1) == last) t[i] = (rows - t[i] / (last + 1)) * (last + 1);
+    return band;
 }
 
 } // namespace meshes

@@ -29,4 +29,7 @@ Mesh with_degenerate_triangles(const Mesh& mesh);
 /// One of each kind, small, with the usual fields; among them an open sphere whose boundary is ragged.
 std::vector<Mesh> odd_surfaces();
 
+/// A Möbius band: the last column joins the first upside down, so that some edges run the same way in two triangles.
+Mesh moebius_band(int around, int across);
+
 } // namespace meshes
