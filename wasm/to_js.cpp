@@ -94,7 +94,7 @@ val mesh_to(const Mesh& mesh) {
 
 val triangle_errors_to(const TriangleErrors& errors) {
     return object(field("largest", array_to(errors.largest)), field("lowest", array_to(errors.lowest)),
-                  field("highest", array_to(errors.highest)));
+                  field("highest", array_to(errors.highest)), field("ratio", array_to(errors.ratio)));
 }
 
 val map_to(const SurfaceMap& map) {

@@ -138,6 +138,8 @@ export interface TriangleErrors {
   /** Signed, original minus reduced; empty for a variable with several components (position: distance along the normal). */
   lowest: Float32Array;
   highest: Float32Array;
+  /** The largest of error / bound, the bound multiplied as it is at each point (`focus`); 0 where the variable is free. */
+  ratio: Float32Array;
 }
 
 /** Where the map puts the vertices of the input, and where their edges cross edges of the reduced mesh. */

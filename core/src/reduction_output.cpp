@@ -65,6 +65,7 @@ void extract_errors(const Surface& surface, const Rows& rows, const Accounting& 
             report.error = std::max(report.error, range.largest * unit);
             if (group.bounded) report.ratio = std::max(report.ratio, range.ratio);
             errors.largest.push_back(upper_float(range.largest * unit));
+            errors.ratio.push_back(group.bounded ? upper_float(range.ratio) : 0);
             if (group.count > 1 && group.variable != 0) continue;
             errors.lowest.push_back(-upper_float(-range.lowest * unit));
             errors.highest.push_back(upper_float(range.highest * unit));

@@ -112,8 +112,12 @@ TEST_P(Focus, TheMapProvesThem) {
         for (std::size_t i = 0; i + 1 < reduction.report.variables.size(); ++i) {
             const VariableReport& variable = reduction.report.variables[i];
             double ratio = 0;
-            for (std::uint32_t v = 0; v < vertex_count(mesh); ++v)
-                ratio = std::max(ratio, certificate.error_at_vertex(i, v) / multiplier(mesh, v));
+            for (std::uint32_t v = 0; v < vertex_count(mesh); ++v) {
+                const double here = certificate.error_at_vertex(i, v) / multiplier(mesh, v);
+                const std::uint32_t triangle = reduction.map.places[v].triangle;
+                EXPECT_LE(here / variable.bound.absolute, reduction.triangle_errors[i].ratio[triangle] + promise::hair);
+                ratio = std::max(ratio, here);
+            }
             for (const MapCrossing& x : reduction.map.crossings) {
                 const double p = multiplier(mesh, x.original.x), q = multiplier(mesh, x.original.y);
                 ratio = std::max(ratio, certificate.error_at_crossing(i, x) / (p + x.s * (q - p)));

@@ -64,6 +64,10 @@ void expect_triangle_errors(const Mesh& mesh, const Reduction& reduction) {
         const double largest = *std::max_element(errors.largest.begin(), errors.largest.end());
         EXPECT_GE(largest, variable.error) << "rounded up";
         EXPECT_LE(largest, variable.error * (1 + single_rounding));
+        ASSERT_EQ(errors.ratio.size(), triangles);
+        const double ratio = *std::max_element(errors.ratio.begin(), errors.ratio.end());
+        EXPECT_GE(ratio, variable.ratio) << "rounded up";
+        EXPECT_LE(ratio, variable.ratio * (1 + single_rounding));
         for (std::size_t t = 0; is_signed && t < triangles; ++t) {
             EXPECT_LE(errors.lowest[t], errors.highest[t]);
             if (i == 0) continue;

@@ -50,6 +50,7 @@ Reduction reduced_by(unsigned threads, const Case& given, Options options) {
 }
 
 void expect_same(const TriangleErrors& one, const TriangleErrors& other) {
+    EXPECT_EQ(one.ratio, other.ratio);
     EXPECT_EQ(one.largest, other.largest);
     EXPECT_EQ(one.lowest, other.lowest);
     EXPECT_EQ(one.highest, other.highest);

@@ -39,10 +39,11 @@ function arraysOf(reduction: Reduction): LabelledArrays {
     ['triangles', mesh.triangles],
     ...mesh.variables.map(({ name, values }) => [`variable:${name}`, values] as const),
     ['vertices', vertices],
-    ...triangleErrors.flatMap(({ largest, lowest, highest }, i) => [
+    ...triangleErrors.flatMap(({ largest, lowest, highest, ratio }, i) => [
       [`largest:${names[i]}`, largest] as const,
       [`lowest:${names[i]}`, lowest] as const,
       [`highest:${names[i]}`, highest] as const,
+      [`ratio:${names[i]}`, ratio] as const,
     ]),
     ...vertexErrors.flatMap(({ error, signedError }, i) => [
       [`vertexError:${names[i]}`, error] as const,

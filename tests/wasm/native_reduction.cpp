@@ -115,6 +115,7 @@ void write_reduction(const std::string& path, const Reduction& reduction) {
         arrays.write("largest" + name, errors.largest);
         arrays.write("lowest" + name, errors.lowest);
         arrays.write("highest" + name, errors.highest);
+        arrays.write("ratio" + name, errors.ratio);
     }
     for (std::size_t variable = 0; variable < reduction.vertex_errors.size(); ++variable) {
         const std::string name = ":" + reduction.report.variables[variable].name;

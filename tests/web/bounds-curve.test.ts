@@ -2,6 +2,7 @@ import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { Mesh, ReduceOptions, Reduction } from '../../wasm/types.ts';
 import { defaultBounds, moveAll } from '../../web/session/bound-setting.ts';
 import { BoundsCurve, curveFractions } from '../../web/session/bounds-curve.ts';
+import { nothingKept } from '../../web/session/keeping.ts';
 import type { SessionState } from '../../web/session/session.ts';
 
 beforeEach(() => void vi.useFakeTimers());
@@ -14,9 +15,10 @@ async function reduce(_: Mesh, { bounds }: ReduceOptions): Promise<Reduction> {
 }
 
 const resting = {
-  surface: { mesh: {} },
+  surface: { mesh: { variables: [] } },
   bounds: defaultBounds(['position', 'pressure']),
   method: { errors: 'tracked', cost: 'introduced' },
+  keeping: nothingKept,
   reduced: { result: { report: { triangles: { before: 1000, after: 33 } } } },
   progress: null,
   opening: null,

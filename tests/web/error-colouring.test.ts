@@ -27,6 +27,7 @@ function reduction(
     largest: Float32Array.of(largest),
     lowest: Float32Array.of(interval[0]),
     highest: Float32Array.of(interval[1]),
+    ratio: Float32Array.of(largest / bound),
   };
   const ofVertices: VertexErrors = { error: Float32Array.from(errors), signedError: Float32Array.from(signed) };
   return {

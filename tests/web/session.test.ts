@@ -242,7 +242,13 @@ describe('the method', () => {
     const { session, runs } = setUp();
     await session.openFile(file('a.ply'));
     expect(runs[0].options).toMatchObject({ errors: 'tracked' });
-    session.setMethod({ errors: 'propagated', cost: 'maximum', refusePiercing: true, limitToFeatureSize: true });
+    session.setMethod({
+      errors: 'propagated',
+      cost: 'maximum',
+      refusePiercing: true,
+      limitToFeatureSize: true,
+      dropSmallParts: true,
+    });
     expect(runs[0].options.signal?.aborted).toBe(true);
     await settled();
     expect(runs[1].options).toMatchObject({
@@ -255,7 +261,13 @@ describe('the method', () => {
 
   test('stays when another surface is opened', async () => {
     const { session, runs } = setUp();
-    session.setMethod({ errors: 'propagated', cost: 'maximum', refusePiercing: true, limitToFeatureSize: true });
+    session.setMethod({
+      errors: 'propagated',
+      cost: 'maximum',
+      refusePiercing: true,
+      limitToFeatureSize: true,
+      dropSmallParts: true,
+    });
     await session.openFile(file('a.ply'));
     expect(runs).toHaveLength(1);
     expect(runs[0].options).toMatchObject({

@@ -38,8 +38,12 @@ export function flatPlaces(errors: Float32Array, placeOf: PlaceOf): Float32Array
 }
 
 /** The places of errors of vertices at the triangles' corners, to be interpolated. */
-export function vertexPlaces(errors: Float32Array, triangles: Uint32Array, placeOf: PlaceOf): Float32Array {
-  const ofVertices = errors.map(placeOf);
+export function vertexPlaces(
+  errors: Float32Array | Float64Array,
+  triangles: Uint32Array,
+  placeOf: PlaceOf,
+): Float32Array {
+  const ofVertices = Float32Array.from(errors, placeOf);
   return Float32Array.from(triangles, (vertex) => ofVertices[vertex]);
 }
 

@@ -1,4 +1,4 @@
-import type { Mesh, Reduction, TriangleErrors } from '../../wasm/types.ts';
+import type { Mesh, TriangleErrors } from '../../wasm/types.ts';
 import {
   flatPlaces,
   largerInSize,
@@ -8,6 +8,7 @@ import {
   vertexPlaces,
 } from '../colour/error-places.ts';
 import type { Labels } from '../formats/surface.ts';
+import { type Multiplied, vertexShares } from '../probe/multiplied.ts';
 import { english } from '../words/english.ts';
 import type { Colouring, Meaning } from './colouring.ts';
 import { isFree, isMeasured } from './promise-words.ts';
@@ -22,31 +23,32 @@ export const unknownErrors = english.legend.unknownErrors;
  */
 export function originalErrors(
   { triangles }: Mesh,
-  reduction: Reduction,
+  reduction: Multiplied,
   labels: Labels,
   settings: ViewSettings,
 ): Colouring | null {
-  const errors = reduction.vertexErrors?.[chosenIndex(reduction, settings)];
-  if (!errors) return null;
+  const index = chosenIndex(reduction, settings);
+  const signed = settings.quantity === 'signed-error';
+  const shown = signed ? reduction.vertexErrors?.[index].signedError : vertexShares(reduction, index);
+  if (!shown) return null;
   const { placeOf, meaning } = scaleOf(reduction, labels, settings);
-  const shown = settings.quantity === 'signed-error' ? errors.signedError : errors.error;
-  const detail = `${english.legend.atVertices}${signNote(reduction, settings)}`;
+  const detail = `${english.legend.atVertices}${note(reduction, settings)}`;
   return { places: vertexPlaces(shown, triangles, placeOf), meaning: { ...meaning, detail } };
 }
 
 /** The errors of the chosen variable on the reduced surface: the largest in every triangle, flat. */
-export function reducedErrors(reduction: Reduction, labels: Labels, settings: ViewSettings): Colouring {
-  const { largest, lowest, highest } = reduction.triangleErrors[chosenIndex(reduction, settings)];
+export function reducedErrors(reduction: Multiplied, labels: Labels, settings: ViewSettings): Colouring {
+  const { ratio, lowest, highest } = reduction.triangleErrors[chosenIndex(reduction, settings)];
   const { placeOf, meaning } = scaleOf(reduction, labels, settings);
-  const shown = settings.quantity === 'signed-error' ? largerInSize(lowest, highest) : largest;
+  const shown = settings.quantity === 'signed-error' ? largerInSize(lowest, highest) : ratio;
   const which = isMeasured(reduction) ? english.legend.inTriangles : english.legend.limitInTriangles;
   return {
     places: flatPlaces(shown, placeOf),
-    meaning: { ...meaning, detail: `${which}${signNote(reduction, settings)}` },
+    meaning: { ...meaning, detail: `${which}${note(reduction, settings)}` },
   };
 }
 
-function chosenIndex({ report }: Reduction, { variable }: ViewSettings): number {
+function chosenIndex({ report }: Multiplied, { variable }: ViewSettings): number {
   return Math.max(
     0,
     report.variables.findIndex(({ name }) => name === variable),
@@ -59,18 +61,19 @@ interface Scale {
   meaning: Omit<Meaning, 'detail'>;
 }
 
-function scaleOf(reduction: Reduction, labels: Labels, settings: ViewSettings): Scale {
+function scaleOf(reduction: Multiplied, labels: Labels, settings: ViewSettings): Scale {
   return settings.quantity === 'signed-error'
     ? signScale(reduction, labels, settings)
     : shareScale(reduction, settings);
 }
 
 /** Error / bound, always over 0…1. */
-function shareScale(reduction: Reduction, settings: ViewSettings): Scale {
+function shareScale(reduction: Multiplied, settings: ViewSettings): Scale {
   const variable = reduction.report.variables[chosenIndex(reduction, settings)];
   const free = isFree(variable);
   return {
-    placeOf: placeByShare(variable.bound),
+    // The errors themselves are shares already.
+    placeOf: placeByShare(free ? Infinity : 1),
     meaning: {
       quantity: 'error',
       title: english.legend.share(variable.name, free),
@@ -84,11 +87,14 @@ function shareScale(reduction: Reduction, settings: ViewSettings): Scale {
   };
 }
 
-/** Signed errors in the variable's unit, from −bound to +bound; as far as they reach where no bound holds them. */
-function signScale(reduction: Reduction, labels: Labels, settings: ViewSettings): Scale {
+/**
+ * Signed errors in the variable's unit, from −bound to +bound; as far as they reach where no bound holds them, or not the same
+ * one everywhere.
+ */
+function signScale(reduction: Multiplied, labels: Labels, settings: ViewSettings): Scale {
   const index = chosenIndex(reduction, settings);
   const variable = reduction.report.variables[index];
-  const bounded = !isFree(variable) && !isDiagnostic(reduction, settings);
+  const bounded = !isFree(variable) && !isDiagnostic(reduction, settings) && !reduction.multiplier;
   const largest = isDiagnostic(reduction, settings) ? largestSize(reduction.triangleErrors[index]) : variable.error;
   const reach = bounded ? variable.bound : largest;
   const { lowestBound, highestBound, lowestError, highestError } = english.legend;
@@ -108,7 +114,7 @@ function signScale(reduction: Reduction, labels: Labels, settings: ViewSettings)
 }
 
 /** Propagated distances along normals are added up while the normals turn: the bound does not hold them (§3.3.1). */
-function isDiagnostic(reduction: Reduction, { variable }: ViewSettings): boolean {
+function isDiagnostic(reduction: Multiplied, { variable }: ViewSettings): boolean {
   return variable === 'position' && !isMeasured(reduction);
 }
 
@@ -116,9 +122,9 @@ function largestSize({ lowest, highest }: TriangleErrors): number {
   return largerInSize(lowest, highest).reduce((largest, error) => Math.max(largest, Math.abs(error)), 0);
 }
 
-/** What the sign of an error means. */
-function signNote(reduction: Reduction, settings: ViewSettings): string {
-  if (settings.quantity !== 'signed-error') return '';
+/** What the sign of an error means, or what it is a share of. */
+function note(reduction: Multiplied, settings: ViewSettings): string {
+  if (settings.quantity !== 'signed-error') return reduction.multiplier ? english.legend.multiplied : '';
   if (settings.variable !== 'position') return english.legend.difference;
   return isDiagnostic(reduction, settings) ? english.legend.summedAlongNormals : english.legend.alongNormal;
 }

@@ -1,4 +1,4 @@
-import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
+import { html, LitElement, nothing, type PropertyValues } from 'lit';
 import { inspect, reduce, reduceLevels, segment } from '../../wasm/index.ts';
 import type { Levels, Reduction, Report } from '../../wasm/types.ts';
 import type { ValueColormap } from '../colour/colormaps.ts';
@@ -7,12 +7,14 @@ import { areFirst, asBounds, largestFraction } from '../session/bound-setting.ts
 import { boundsText, readBounds } from '../session/bound-text.ts';
 import { fetchBytes } from '../session/fetch-bytes.ts';
 import { LevelSession, mostLevels } from '../session/level-session.ts';
+import type { Method } from '../session/method.ts';
 import { Probing } from '../session/probing.ts';
 import { readInWorker } from '../session/read.ts';
-import { type Method, type Reduced, Session, type SessionState } from '../session/session.ts';
+import { type Reduced, Session, type SessionState } from '../session/session.ts';
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
 import { download, type SavedKind, savedFile } from './download.ts';
+import { keepingAttributes, keepingFrom, type WantedKeeping } from './keeping-attributes.ts';
 import './levels-panel.ts';
 import { LevelMotion } from './level-motion.ts';
 import { LevelView } from './level-view.ts';
@@ -37,13 +39,9 @@ import {
   type ViewSettings,
   type WantedView,
 } from './view-settings.ts';
+import { asAttribute, methodAttributes, methodFrom, propertyOf, viewAttributes } from './viewer-attributes.ts';
 import { firstState, type StateAttribute, stateAttributes, type ViewerState } from './viewer-state.ts';
-
-/** What a state says beside address and bounds. */
-/** What a Method is made from. */
-const methodAttributes = ['errors', 'cost', 'refusePiercing', 'limitToFeatureSize'] as const;
-
-const viewAttributes = stateAttributes.filter((name) => name !== 'src' && name !== 'bounds');
+import { viewerStyle } from './viewer-style.ts';
 
 /** How near to the window's part in sight a lazy viewer begins to load. */
 const lazyMargin = '200px';
@@ -103,7 +101,7 @@ const lazyMargin = '200px';
  * @cssprop --meshbound-text-small - Size of text in legends.
  * @cssprop --meshbound-font - Family of text.
  */
-export class MeshboundViewer extends LitElement implements WantedView {
+export class MeshboundViewer extends LitElement implements WantedView, WantedKeeping {
   static override properties = {
     // Setting the same address again loads it again.
     src: { hasChanged: () => true },
@@ -112,6 +110,12 @@ export class MeshboundViewer extends LitElement implements WantedView {
     cost: {},
     refusePiercing: { attribute: 'refuse-piercing', type: Boolean },
     limitToFeatureSize: { attribute: 'limit-to-feature-size', type: Boolean },
+    dropSmallParts: { attribute: 'drop-small-parts', type: Boolean },
+    lockBox: { attribute: 'lock-box' },
+    regions: {},
+    lockRegions: { attribute: 'lock-regions' },
+    focusVariable: { attribute: 'focus-variable' },
+    focusPoint: { attribute: 'focus-point' },
     variable: {},
     component: {},
     show: {},
@@ -135,79 +139,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
     drawnOnce: { state: true },
   };
 
-  static override styles = [
-    tokens,
-    controlsStyle,
-    css`
-      :host {
-        display: flex;
-        flex-direction: column;
-        min-height: 120px;
-        aspect-ratio: 2;
-        background: var(--panel);
-      }
-      :host([hidden]) {
-        display: none;
-      }
-      .stage {
-        position: relative;
-        flex: 1;
-        min-height: 0;
-      }
-      meshbound-stage,
-      .poster {
-        position: absolute;
-        inset: 0;
-      }
-      .poster {
-        display: grid;
-        place-items: center;
-        overflow: hidden;
-      }
-      .poster img {
-        width: 100%;
-        height: 100%;
-        object-fit: contain;
-      }
-      meshbound-notices {
-        position: absolute;
-        z-index: 1;
-        top: 50px;
-        left: 50%;
-        width: min(620px, 100% - 24px);
-        transform: translateX(-50%);
-      }
-      .progress {
-        position: absolute;
-        bottom: 0;
-        left: 0;
-        height: 2px;
-        background: var(--accent);
-      }
-      .controls {
-        display: flex;
-        flex-wrap: wrap;
-        gap: var(--gap) 16px;
-        align-items: center;
-        padding: 8px 12px;
-        border-bottom: 1px solid var(--line);
-        container: bar / inline-size;
-      }
-      .all {
-        display: flex;
-        flex: 1 1 200px;
-        gap: var(--gap);
-        align-items: center;
-      }
-      meshbound-bound-slider {
-        flex: 1;
-      }
-      meshbound-result-bar {
-        padding: 8px 12px;
-        border-top: 1px solid var(--line);
-      }
-    `,
-  ];
+  static override styles = [tokens, controlsStyle, viewerStyle];
 
   /** The address of a surface: PLY, VTP, legacy VTK, glTF, OBJ or STL, packed by gzip or not. */
   declare src: string | null;
@@ -227,6 +159,40 @@ export class MeshboundViewer extends LitElement implements WantedView {
    * @attr limit-to-feature-size
    */
   declare limitToFeatureSize: boolean;
+  /**
+   * Leave out parts of the surface that are smaller than the bound of position, and count them; the promise is about the rest.
+   *
+   * @attr drop-small-parts
+   */
+  declare dropSmallParts: boolean;
+  /**
+   * A box whose inside stays as it is, in the unit of position: the lowest and the highest place along the axes,
+   * `0,0,0,1,1,1`. Every triangle that meets it stays.
+   *
+   * @attr lock-box
+   */
+  declare lockBox: string | null;
+  /** The cell data, of whole numbers, whose values part the surface into regions: their borders are kept within the bounds. */
+  declare regions: string | null;
+  /**
+   * Regions that stay as they are, by their numbers: `2,5`.
+   *
+   * @attr lock-regions
+   */
+  declare lockRegions: string | null;
+  /**
+   * The variable, of one component and above zero everywhere, that multiplies every bound at each point of the original.
+   *
+   * @attr focus-variable
+   */
+  declare focusVariable: string | null;
+  /**
+   * Where bounds are finer, as `x,y,z,radius,factor`: within the radius they are multiplied by the factor, 0…1, and rise
+   * from there to what they are at twice the radius. With `focus-variable` both multiply.
+   *
+   * @attr focus-point
+   */
+  declare focusPoint: string | null;
   /** What the surfaces are coloured by: a variable, `position` among them. Default: the first that varies. */
   declare variable: string | null;
   /** Which component of a vector: `magnitude` (default), or what it is called: x, y, z, or as in the file. */
@@ -302,6 +268,12 @@ export class MeshboundViewer extends LitElement implements WantedView {
     this.cost = null;
     this.refusePiercing = false;
     this.limitToFeatureSize = false;
+    this.dropSmallParts = false;
+    this.lockBox = null;
+    this.regions = null;
+    this.lockRegions = null;
+    this.focusVariable = null;
+    this.focusPoint = null;
     this.variable = null;
     this.component = null;
     this.show = null;
@@ -563,10 +535,20 @@ export class MeshboundViewer extends LitElement implements WantedView {
     if (methodAttributes.some((name) => changed.has(name))) this.session.setMethod(methodFrom(this));
     if (changed.has('view') && this.view === 'morph' && this.levelCount === 0) this.levelCount = levelsToMorph;
     if (changed.has('src') && this.src) this.#load();
+    // After that, so that what is about to be replaced is not reduced anew.
+    if (keepingAttributes.some((name) => changed.has(name))) this.#keep();
+  }
+
+  #keep(): void {
+    try {
+      this.session.setKeeping(keepingFrom(this));
+    } catch (error) {
+      this.session.report(error, { lasting: true });
+    }
   }
 
   override render() {
-    const { surface, reduced, progress, notices } = this.session.state;
+    const { surface, reduced, progress, notices, keeping } = this.session.state;
     return html`
       ${this.controls ? this.#controls() : nothing}
       <div class="stage" part="stage">
@@ -577,6 +559,7 @@ export class MeshboundViewer extends LitElement implements WantedView {
           .surface=${surface}
           .result=${reduced?.result ?? null}
           .levels=${this.#levelView}
+          .keeping=${keeping}
           .position=${this.levels.state.position}
           .pixels=${this.levels.state.pixels}
           @level-wanted=${({ detail }: CustomEvent<number>) => this.#motion.towards(detail)}
@@ -798,34 +781,5 @@ export class MeshboundViewer extends LitElement implements WantedView {
   }
 }
 
-/** Places between levels are said to two decimals. */
-function asAttribute(value: string | boolean | number | null): string | null {
-  if (typeof value === 'number') return String(Number(value.toFixed(2)));
-  return typeof value === 'boolean' ? (value ? '' : null) : value;
-}
-
 /** A morph needs levels; so many where none are asked for. */
 const levelsToMorph = 4;
-
-/** Of attributes whose properties are called otherwise. */
-const properties = {
-  'refuse-piercing': 'refusePiercing',
-  'limit-to-feature-size': 'limitToFeatureSize',
-  'level-count': 'levelCount',
-  'level-pixels': 'levelPixels',
-} as const;
-
-function propertyOf(name: (typeof viewAttributes)[number]) {
-  return name in properties
-    ? properties[name as keyof typeof properties]
-    : (name as Exclude<typeof name, keyof typeof properties>);
-}
-
-function methodFrom({ errors, cost, refusePiercing, limitToFeatureSize }: MeshboundViewer): Method {
-  return {
-    errors: errors === 'propagated' ? errors : 'tracked',
-    cost: cost === 'maximum' ? cost : 'introduced',
-    refusePiercing,
-    limitToFeatureSize,
-  };
-}

@@ -7,7 +7,7 @@ import type { WantedView } from '../element/view-settings.ts';
 import { stateFromJson, stateJson } from '../element/viewer-state.ts';
 import { surfaceAmong } from '../formats/surface-among.ts';
 import { messageOf } from '../session/failure.ts';
-import type { Method } from '../session/session.ts';
+import type { Method } from '../session/method.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';

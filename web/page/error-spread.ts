@@ -1,9 +1,10 @@
 import { css, html, LitElement, nothing, svg } from 'lit';
-import type { Mesh, Reduction, Report, VariableReport } from '../../wasm/types.ts';
+import type { Mesh, Report, VariableReport } from '../../wasm/types.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import { countText, percentText } from '../element/number-text.ts';
 import { isMeasured } from '../element/promise-words.ts';
 import { type ErrorHistogram, errorHistograms, histogramBins, quantile } from '../probe/error-histogram.ts';
+import type { Multiplied } from '../probe/multiplied.ts';
 import { english } from '../words/english.ts';
 
 /** Of a drawing, in its own unit. */
@@ -61,7 +62,7 @@ export class ErrorSpread extends LitElement {
   ];
 
   declare mesh: Mesh | null;
-  declare reduction: Reduction | null;
+  declare reduction: Multiplied | null;
   #histograms: (ErrorHistogram | null)[] = [];
 
   constructor() {

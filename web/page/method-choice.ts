@@ -1,7 +1,7 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { controlsStyle } from '../element/controls-style.ts';
-import type { Method } from '../session/session.ts';
+import type { Method } from '../session/method.ts';
 import { english } from '../words/english.ts';
 
 /**

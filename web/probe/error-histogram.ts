@@ -1,4 +1,5 @@
-import type { Mesh, Reduction } from '../../wasm/types.ts';
+import type { Mesh } from '../../wasm/types.ts';
+import { type Multiplied, vertexShares } from './multiplied.ts';
 import { normalOf } from './place.ts';
 
 /** Into how many parts error / bound, 0…1, is cut. */
@@ -12,12 +13,12 @@ export type ErrorHistogram = Float64Array;
  * were measured, each vertex of the original stands for a third of the triangles around it; where they are limits (propagated
  * errors), each reduced triangle stands for itself.
  */
-export function errorHistograms(mesh: Mesh, reduction: Reduction): (ErrorHistogram | null)[] {
+export function errorHistograms(mesh: Mesh, reduction: Multiplied): (ErrorHistogram | null)[] {
   const { vertexErrors, triangleErrors, report } = reduction;
   const areas = vertexErrors ? vertexAreas(mesh) : triangleAreas(reduction.mesh);
   return report.variables.map(({ bound }, index) => {
     if (!Number.isFinite(bound)) return null;
-    return histogram(vertexErrors?.[index].error ?? triangleErrors[index].largest, areas, bound);
+    return histogram(vertexShares(reduction, index) ?? triangleErrors[index].ratio, areas);
   });
 }
 
@@ -32,12 +33,12 @@ export function quantile(histogram: ErrorHistogram, share: number): number {
   return last < 0 ? 1 : (last + 1) / histogramBins;
 }
 
-function histogram(errors: Float32Array, areas: Float64Array, bound: number): ErrorHistogram {
+function histogram(shares: Float32Array | Float64Array, areas: Float64Array): ErrorHistogram {
   const bins = new Float64Array(histogramBins);
   let whole = 0;
-  for (let each = 0; each < errors.length; each++) {
+  for (let each = 0; each < shares.length; each++) {
     // All of the bound belongs to the last part.
-    bins[Math.min(histogramBins - 1, Math.floor((histogramBins * errors[each]) / bound))] += areas[each];
+    bins[Math.min(histogramBins - 1, Math.floor(histogramBins * shares[each]))] += areas[each];
     whole += areas[each];
   }
   return whole > 0 ? bins.map((area) => area / whole) : bins;

@@ -1,5 +1,6 @@
-import type { Mesh, Reduction } from '../../wasm/types.ts';
+import type { Mesh } from '../../wasm/types.ts';
 import type { Correspondence } from './correspondence.ts';
+import type { Multiplied } from './multiplied.ts';
 import { distance, type Place, valuesAt, variablesOf } from './place.ts';
 
 export type Side = 'original' | 'reduced';
@@ -20,7 +21,7 @@ export interface ProbedVariable {
    * in the triangle there. Null where nothing is known of it.
    */
   error: number | null;
-  /** Infinity where it is free or nothing was reduced. */
+  /** As it is multiplied there; Infinity where it is free or nothing was reduced. */
   bound: number;
   /** error / bound, 0…1; null where there is no error or no bound. */
   ratio: number | null;
@@ -43,7 +44,7 @@ export interface Probe {
 export interface Probed {
   mesh: Mesh;
   /** Null where nothing was reduced. */
-  reduction: Reduction | null;
+  reduction: Multiplied | null;
   /** Null where there is no map. */
   correspondence: Correspondence | null;
 }
@@ -76,6 +77,7 @@ export function probePair(
 ): Probe {
   const here = original && valuesOn(mesh, original);
   const there = reduction && reduced && valuesOn(reduction.mesh, reduced);
+  const multiplier = original ? multiplierAt(mesh, reduction, original) : 1;
   return {
     from,
     original: original && here && { ...original, position: here[0] },
@@ -83,11 +85,19 @@ export function probePair(
     variables: variablesOf(mesh).map(({ name }, index) => {
       const values = { original: here?.[index] ?? null, reduced: there?.[index] ?? null };
       const error = errorOf(values, reduction, index, reduced);
-      const bound = reduction?.report.variables[index].bound ?? Infinity;
-      return { name, ...values, error, bound, ratio: error !== null && Number.isFinite(bound) ? error / bound : null };
+      const bound = multiplier * (reduction?.report.variables[index].bound ?? Infinity);
+      const limit = reduced && !original ? reduction?.triangleErrors[index].ratio[reduced.triangle] : undefined;
+      const ratio = error !== null && Number.isFinite(bound) ? (limit ?? error / bound) : null;
+      return { name, ...values, error, bound, ratio };
     }),
     preimages,
   };
+}
+
+function multiplierAt({ triangles }: Mesh, reduction: Multiplied | null, place: Place): number {
+  if (!reduction?.multiplier) return 1;
+  const variable = { name: '', components: 1, values: reduction.multiplier };
+  return valuesAt(variable, triangles, place)[0];
 }
 
 function valuesOn(mesh: Mesh, place: Place): number[][] {
@@ -96,7 +106,7 @@ function valuesOn(mesh: Mesh, place: Place): number[][] {
 
 function errorOf(
   { original, reduced }: Pick<ProbedVariable, 'original' | 'reduced'>,
-  reduction: Reduction | null,
+  reduction: Multiplied | null,
   index: number,
   place: Place | null,
 ): number | null {

@@ -1,7 +1,10 @@
 import type { Mesh, ReduceOptions, Reduction } from '../../wasm/types.ts';
 import { asBounds, type BoundSettings, largestFraction, moveAll } from './bound-setting.ts';
+import { sameKeeping } from './keeping.ts';
 import { Latest, superseded } from './latest.ts';
-import { type SessionState, sameMethod } from './session.ts';
+import { sameMethod } from './method.ts';
+import type { SessionState } from './session.ts';
+import { taskOf } from './task.ts';
 
 /** How many triangles are left where the largest bound is this fraction, and the others stand in proportion to it. */
 export interface CurvePoint {
@@ -51,16 +54,16 @@ export class BoundsCurve extends EventTarget {
   }
 
   async #measure(state: SessionState): Promise<void> {
-    const { surface, bounds, method } = state;
+    const { surface, bounds, method, keeping } = state;
     const fraction = curveFractions.find((each) => !this.#points.has(each));
     if (!surface || fraction === undefined) return;
     try {
+      const { mesh, options } = taskOf(surface, method, keeping);
       const result = await this.#measuring.run((signal) =>
-        this.#reduce(surface.mesh, {
+        this.#reduce(mesh, {
           bounds: asBounds(moveAll(bounds, fraction)),
-          ...method,
+          ...options,
           countFolds: false,
-          locked: surface.locked,
           signal,
         }),
       );
@@ -78,10 +81,13 @@ export class BoundsCurve extends EventTarget {
   }
 }
 
-/** Whether the curve of one state is that of the other: same surface, same method, bounds in the same proportions. */
+/** Whether the curve of one state is that of the other: same but for bounds in the same proportions. */
 function measuresSame(one: SessionState, other: SessionState): boolean {
   return (
-    one.surface === other.surface && sameMethod(one.method, other.method) && mixOf(one.bounds) === mixOf(other.bounds)
+    one.surface === other.surface &&
+    sameMethod(one.method, other.method) &&
+    sameKeeping(one.keeping, other.keeping) &&
+    mixOf(one.bounds) === mixOf(other.bounds)
   );
 }
 

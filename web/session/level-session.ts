@@ -1,7 +1,8 @@
 import type { Levels, LevelsOptions, Mesh } from '../../wasm/index.ts';
 import { asBounds, type BoundSettings, largestFraction, moveAll } from './bound-setting.ts';
 import { Latest, superseded } from './latest.ts';
-import type { Reduced, Session } from './session.ts';
+import type { OpenSurface, Reduced, Session } from './session.ts';
+import { levelsOf, taskOf } from './task.ts';
 
 /** Levels of detail of the surface that is open. Never changed in place: a change replaces it. */
 export interface LevelState {
@@ -93,21 +94,23 @@ export class LevelSession extends EventTarget {
     const { surface } = this.#session.state;
     const wanted = this.#state.count > 0 && this.#of !== null && surface !== null;
     this.#update({ nested: null, results: [], progress: wanted ? 0 : null });
-    if (wanted) void this.#make(surface.mesh, this.#of as Reduced, surface.locked);
+    if (wanted) void this.#make(surface, this.#of as Reduced);
   }
 
-  async #make(mesh: Mesh, { bounds, method }: Reduced, locked: Uint32Array | undefined): Promise<void> {
+  async #make(surface: OpenSurface, { bounds, method, keeping }: Reduced): Promise<void> {
     const all = Array.from({ length: this.#state.count }, (_, level) => coarser(bounds, levelFactor ** level));
     const levels = all.map(asBounds);
     try {
-      const nested = await this.#making.run((signal) => {
+      const task = taskOf(surface, method, keeping);
+      const made = await this.#making.run((signal) => {
         const onProgress = (progress: number) => {
           if (!signal.aborted) this.#update({ progress });
         };
-        return this.#reduceLevels(mesh, { levels, morphs: true, ...method, locked, signal, onProgress });
+        return this.#reduceLevels(task.mesh, { levels, morphs: true, ...task.options, signal, onProgress });
       });
-      if (nested === superseded) return;
-      const results = nested.levels.map((result, level) => ({ result, bounds: all[level], method }));
+      if (made === superseded) return;
+      const nested = levelsOf(task, made);
+      const results = nested.levels.map((result, level) => ({ result, bounds: all[level], method, keeping }));
       this.#update({ nested, results, progress: null });
     } catch (error) {
       this.#update({ progress: null });

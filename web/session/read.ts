@@ -9,6 +9,8 @@ export interface OpenedFile {
   mesh: Mesh;
   /** Vertices that must stay, because sheets only touch there. */
   locked?: Uint32Array;
+  /** Labels of the triangles, by the cell data that hold them. */
+  regions?: ReadonlyMap<string, Int32Array>;
   /** What the reader did to the file that its owner should know. */
   notes: string[];
   labels: Labels;

@@ -1,4 +1,5 @@
 import { type NamedFile, readTogether } from '../formats/read-together.ts';
+import { choosableRegionNotes } from '../formats/region-notes.ts';
 import { codeOf, messageOf } from './failure.ts';
 import type { OpenedFile, ReadAnswer } from './read.ts';
 
@@ -7,8 +8,18 @@ type Files = NamedFile & { beside: NamedFile[] };
 
 addEventListener('message', async ({ data }: MessageEvent<Files>) => {
   try {
-    const { mesh, locked, notes, units, componentNames } = await readTogether(data.name, data.bytes, data.beside);
-    const file = { mesh, locked, notes, labels: { units, componentNames } };
+    const { mesh, locked, regions, notes, units, componentNames } = await readTogether(
+      data.name,
+      data.bytes,
+      data.beside,
+    );
+    const file = {
+      mesh,
+      locked,
+      regions,
+      notes: choosableRegionNotes(notes, regions),
+      labels: { units, componentNames },
+    };
     postMessage({ file } satisfies ReadAnswer, { transfer: buffersOf(file) });
   } catch (error) {
     postMessage({ code: codeOf(error), message: messageOf(error) } satisfies ReadAnswer);
@@ -16,7 +27,8 @@ addEventListener('message', async ({ data }: MessageEvent<Files>) => {
 });
 
 /** Each buffer once: arrays may share one, and a buffer can be handed over only once. */
-function buffersOf({ mesh, locked = new Uint32Array() }: OpenedFile): ArrayBuffer[] {
-  const arrays = [mesh.position, mesh.triangles, ...mesh.variables.map(({ values }) => values), locked];
+function buffersOf({ mesh, locked = new Uint32Array(), regions = new Map() }: OpenedFile): ArrayBuffer[] {
+  const values = mesh.variables.map((variable) => variable.values);
+  const arrays = [mesh.position, mesh.triangles, ...values, locked, ...regions.values()];
   return [...new Set(arrays.map((array) => array.buffer as ArrayBuffer))];
 }

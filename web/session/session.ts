@@ -1,7 +1,8 @@
-import type { Inspection, Mesh, ReduceOptions, Reduction, VariableExtent } from '../../wasm/index.ts';
+import type { Inspection, Mesh, VariableExtent } from '../../wasm/index.ts';
 import type { NamedFile } from '../formats/read-together.ts';
 import type { Labels } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
+import type { Multiplied } from '../probe/multiplied.ts';
 import {
   asBounds,
   type BoundSetting,
@@ -13,10 +14,13 @@ import {
 import type { Bounds } from './bound-text.ts';
 import { codeOf, messageOf, nonFiniteVariable } from './failure.ts';
 import { changed, type History, historyOf, redone, settled, undone } from './history.ts';
+import { type Keeping, nothingKept, sameKeeping } from './keeping.ts';
 import { Latest, superseded } from './latest.ts';
+import { firstMethod, type Method, sameMethod } from './method.ts';
 import { oddityNotes } from './oddity-notes.ts';
 import type { OpenedFile } from './read.ts';
 import type { Services } from './services.ts';
+import { resultOf, taskOf } from './task.ts';
 
 /** Where a surface comes from. */
 interface Source {
@@ -35,6 +39,8 @@ export interface OpenSurface extends Source {
   variables: VariableExtent[];
   /** Vertices that must stay, because sheets only touch there. */
   locked: Uint32Array | undefined;
+  /** Labels of the triangles, by the cell data that hold them. */
+  regions?: ReadonlyMap<string, Int32Array>;
 }
 
 /** A file that is being opened. */
@@ -46,23 +52,12 @@ export interface Opening {
   progress: number;
 }
 
-/** How errors are accounted for, and what retriangulation makes small where they are propagated. */
-export type Method = Required<Pick<ReduceOptions, 'errors' | 'cost' | 'refusePiercing' | 'limitToFeatureSize'>>;
-
-export function sameMethod(one: Method, other: Method): boolean {
-  return (
-    one.errors === other.errors &&
-    one.cost === other.cost &&
-    one.refusePiercing === other.refusePiercing &&
-    one.limitToFeatureSize === other.limitToFeatureSize
-  );
-}
-
 /** A result with what it was asked with. */
 export interface Reduced {
-  result: Reduction;
+  result: Multiplied;
   bounds: BoundSettings;
   method: Method;
+  keeping: Keeping;
 }
 
 /** Something to tell the user, until dismissed. */
@@ -89,6 +84,7 @@ export interface SessionState {
   canUndo: boolean;
   canRedo: boolean;
   method: Method;
+  keeping: Keeping;
   /** Of the running reduction, 0…1; null where none runs. */
   progress: number | null;
   /** The user stopped the last reduction: a result is that of the one before. */
@@ -110,7 +106,8 @@ const emptyState: SessionState = {
   bounds: {},
   canUndo: false,
   canRedo: false,
-  method: { errors: 'tracked', cost: 'introduced', refusePiercing: false, limitToFeatureSize: false },
+  method: firstMethod,
+  keeping: nothingKept,
   progress: null,
   cancelled: false,
   reduced: null,
@@ -207,6 +204,13 @@ export class Session extends EventTarget {
     this.reduceAgain();
   }
 
+  /** What of the surface is to be kept from now on. A surface that is being opened takes it into account. */
+  setKeeping(keeping: Keeping): void {
+    if (sameKeeping(keeping, this.#state.keeping)) return;
+    this.#update({ keeping });
+    if (!this.#state.opening) this.reduceAgain();
+  }
+
   /** Starts the reduction anew; one that runs is aborted. */
   reduceAgain(): void {
     if (!this.#state.surface) return;
@@ -218,7 +222,7 @@ export class Session extends EventTarget {
   cancel(): void {
     if (this.#state.opening) {
       this.#opening.abort();
-      this.#update({ opening: null });
+      this.#stay();
     } else if (this.#state.progress !== null) {
       this.#stopReducing();
       this.#update({ progress: null, cancelled: true });
@@ -278,14 +282,25 @@ export class Session extends EventTarget {
       });
       if (inspected !== superseded) this.#adopt(source, inspected.file, inspected.inspection);
     } catch (error) {
-      this.#update({ opening: null });
+      this.#stay();
       this.#refuse(source, file, error);
     }
   }
 
-  #adopt(source: Source, { mesh, labels, notes, locked }: OpenedFile, { variables, oddities }: Inspection): void {
+  /** At the surface that is open: nothing else is being opened any more. */
+  #stay(): void {
+    const { reduced, keeping } = this.#state;
+    this.#update({ opening: null });
+    if (reduced && !sameKeeping(reduced.keeping, keeping)) this.reduceAgain();
+  }
+
+  #adopt(
+    source: Source,
+    { mesh, labels, notes, locked, regions }: OpenedFile,
+    { variables, oddities }: Inspection,
+  ): void {
     this.#reducing.abort();
-    const surface = { ...source, mesh, labels, variables, locked };
+    const surface = { ...source, mesh, labels, variables, locked, regions };
     const bounds = this.#firstBounds(variables);
     this.#history = historyOf(bounds);
     this.#mix = bounds;
@@ -352,19 +367,20 @@ export class Session extends EventTarget {
   async #reduce(): Promise<void> {
     clearTimeout(this.#timer);
     this.#isStale = false;
-    const { surface, bounds, method } = this.#state;
+    const { surface, bounds, method, keeping } = this.#state;
     if (!surface) return;
     this.#update({ notices: this.#state.notices.filter(({ ofReduction }) => !ofReduction) });
     try {
+      const task = taskOf(surface, method, keeping);
       const result = await this.#reducing.run((signal) => {
         const onProgress = (progress: number) => {
           if (!signal.aborted) this.#update({ progress });
         };
-        const options = { bounds: asBounds(bounds), ...method, locked: surface.locked, signal, onProgress };
-        return this.#services.reduce(surface.mesh, options);
+        return this.#services.reduce(task.mesh, { bounds: asBounds(bounds), ...task.options, signal, onProgress });
       });
       if (result === superseded) return;
-      this.#update({ reduced: { result, bounds, method }, progress: this.#isStale ? 0 : null });
+      const reduced = { result: resultOf(task, result), bounds, method, keeping };
+      this.#update({ reduced, progress: this.#isStale ? 0 : null });
     } catch (error) {
       if (!this.#isStale) {
         this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), ofReduction: true });

@@ -58,6 +58,7 @@ export const english = {
     stateNotJson: 'This is no state of the viewer: it is not JSON.',
     stateMissing: 'This is no state of the viewer: “meshbound” is missing.',
     linkToFile: 'A link cannot hold a file of yours: put it where an address reaches it, and open that.',
+    attribute: (name: string, text: string, why: string) => `${name} cannot be “${text}”: ${why}`,
     cannotCopy: (text: string) => `The browser does not let this page copy. ${text}`,
   },
 
@@ -93,6 +94,7 @@ export const english = {
     atVertices: 'true error at each vertex',
     inTriangles: 'largest error in each triangle',
     limitInTriangles: 'upper limit of the error in each triangle',
+    multiplied: '; of the bound as it is multiplied there',
     difference: `; original${space}−${space}reduced`,
     alongNormal: '; along the normal, + where the reduced surface is outside',
     summedAlongNormals: '; summed along the normals, + where the reduced surface is outside',

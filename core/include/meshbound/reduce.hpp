@@ -19,6 +19,9 @@ struct TriangleErrors {
     /// The signed error, original minus reduced, lies between these. One value a triangle; for position the distance along
     /// the normal, positive outside (§3.3.1, a diagnostic, not a bound). Empty for a variable with several components.
     std::vector<float> lowest, highest;
+    /// The largest of error / bound of these points, the bound multiplied as it is at each (Options::focus), rounded up; 0
+    /// where the variable is free. One value a triangle.
+    std::vector<float> ratio;
 };
 
 /// The outcome of a reduction.

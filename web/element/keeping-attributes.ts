@@ -1,0 +1,47 @@
+import { boxText, readBox } from '../session/box-text.ts';
+import { messageOf } from '../session/failure.ts';
+import { focusPointText, readFocusPoint } from '../session/focus-point.ts';
+import { type Keeping, readLabels } from '../session/keeping.ts';
+import { english } from '../words/english.ts';
+
+/** What of a surface is to be kept, as attributes say it; null and empty text say nothing. */
+export interface WantedKeeping {
+  lockBox: string | null;
+  regions: string | null;
+  lockRegions: string | null;
+  focusVariable: string | null;
+  focusPoint: string | null;
+}
+
+export const keepingAttributes = ['lockBox', 'regions', 'lockRegions', 'focusVariable', 'focusPoint'] as const;
+
+/** Throws an Error that says which attribute cannot be understood. */
+export function keepingFrom(wanted: WantedKeeping): Keeping {
+  return {
+    lockBox: read('lock-box', wanted.lockBox, readBox),
+    regions: wanted.regions || null,
+    lockRegions: read('lock-regions', wanted.lockRegions, readLabels) ?? [],
+    focus: wanted.focusVariable || null,
+    focusPoint: read('focus-point', wanted.focusPoint, readFocusPoint),
+  };
+}
+
+function read<Value>(name: string, text: string | null, reader: (text: string) => Value): Value | null {
+  if (!text) return null;
+  try {
+    return reader(text);
+  } catch (error) {
+    throw new Error(english.faults.attribute(name, text, messageOf(error)));
+  }
+}
+
+/** The attributes that `keepingFrom` reads as this. */
+export function keepingText({ lockBox, regions, lockRegions, focus, focusPoint }: Keeping): WantedKeeping {
+  return {
+    lockBox: lockBox && boxText(lockBox),
+    regions,
+    lockRegions: lockRegions.join(',') || null,
+    focusVariable: focus,
+    focusPoint: focusPoint && focusPointText(focusPoint),
+  };
+}

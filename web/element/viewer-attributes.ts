@@ -1,0 +1,47 @@
+import type { Method } from '../session/method.ts';
+import { stateAttributes } from './viewer-state.ts';
+
+/** What a state says beside address and bounds. */
+export const viewAttributes = stateAttributes.filter((name) => name !== 'src' && name !== 'bounds');
+
+/** Of attributes whose properties are called otherwise. */
+const properties = {
+  'refuse-piercing': 'refusePiercing',
+  'limit-to-feature-size': 'limitToFeatureSize',
+  'drop-small-parts': 'dropSmallParts',
+  'lock-box': 'lockBox',
+  'lock-regions': 'lockRegions',
+  'focus-variable': 'focusVariable',
+  'focus-point': 'focusPoint',
+  'level-count': 'levelCount',
+  'level-pixels': 'levelPixels',
+} as const;
+
+export function propertyOf(name: (typeof viewAttributes)[number]) {
+  return name in properties
+    ? properties[name as keyof typeof properties]
+    : (name as Exclude<typeof name, keyof typeof properties>);
+}
+
+/** Places between levels are said to two decimals. */
+export function asAttribute(value: string | boolean | number | null): string | null {
+  if (typeof value === 'number') return String(Number(value.toFixed(2)));
+  return typeof value === 'boolean' ? (value ? '' : null) : value;
+}
+
+/** What a Method is made from. */
+export const methodAttributes = ['errors', 'cost', 'refusePiercing', 'limitToFeatureSize', 'dropSmallParts'] as const;
+
+/** Of the two that are words, what is not known is as at first. */
+type WantedMethod = { [Name in keyof Method]: Method[Name] extends boolean ? boolean : Method[Name] | null };
+
+export function methodFrom(wanted: WantedMethod): Method {
+  const { refusePiercing, limitToFeatureSize, dropSmallParts } = wanted;
+  return {
+    errors: wanted.errors === 'propagated' ? wanted.errors : 'tracked',
+    cost: wanted.cost === 'maximum' ? wanted.cost : 'introduced',
+    refusePiercing,
+    limitToFeatureSize,
+    dropSmallParts,
+  };
+}

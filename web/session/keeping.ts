@@ -1,0 +1,36 @@
+import type { Box } from '../../wasm/types.ts';
+import type { FocusPoint } from './focus-point.ts';
+
+/** What of a surface must stay as it is, what parts it into regions, and where its bounds are others. */
+export interface Keeping {
+  /** Every triangle that meets it must stay. */
+  lockBox: Box | null;
+  /** The cell data whose values part the surface into regions: their borders are kept within the bounds. */
+  regions: string | null;
+  /** Labels of regions that must stay. */
+  lockRegions: readonly number[];
+  /** The variable that multiplies all bounds. */
+  focus: string | null;
+  /** Near it the bounds are finer still. */
+  focusPoint: FocusPoint | null;
+}
+
+export const nothingKept: Keeping = {
+  lockBox: null,
+  regions: null,
+  lockRegions: [],
+  focus: null,
+  focusPoint: null,
+};
+
+export function sameKeeping(one: Keeping, other: Keeping): boolean {
+  return JSON.stringify(one) === JSON.stringify(other);
+}
+
+/** Labels of regions as people write them, `1,2,5`. Throws an Error whose message is a sentence for people. */
+export function readLabels(text: string): number[] {
+  const words = text.split(/[\s,;]+/).filter((word) => word !== '');
+  const wrong = words.find((word) => !Number.isInteger(Number(word)) || Math.abs(Number(word)) >= 2 ** 31);
+  if (wrong !== undefined) throw new Error(`“${wrong}” is not the number of a region.`);
+  return words.map(Number);
+}

@@ -1,0 +1,84 @@
+import type { Levels, Mesh, MorphEnd, ReduceOptions, Reduction, Variable } from '../../wasm/types.ts';
+import { listed } from '../formats/wording.ts';
+import type { Multiplied } from '../probe/multiplied.ts';
+import { multiplierNear } from '../surface/nearness.ts';
+import type { Keeping } from './keeping.ts';
+import type { Method } from './method.ts';
+import type { OpenSurface } from './session.ts';
+
+/** What the core is given but for bounds, and what it takes to understand its answer. */
+export interface Task {
+  mesh: Mesh;
+  options: Omit<ReduceOptions, 'bounds'>;
+  /** What multiplies the bounds at each vertex. */
+  multiplier?: Variable['values'];
+  /** The last variable of the mesh is that multiplier, and none of the surface. */
+  added: boolean;
+}
+
+/** Throws an Error with a `code` where the surface has not what is asked for. */
+export function taskOf(surface: OpenSurface, method: Method, keeping: Keeping): Task {
+  const { lockBox, lockRegions } = keeping;
+  const options = {
+    ...method,
+    locked: surface.locked,
+    lockedBoxes: lockBox ? [lockBox] : [],
+    lockedRegions: Int32Array.from(lockRegions),
+  };
+  return withFocus(withRegions(surface, keeping), options, keeping);
+}
+
+function withRegions({ mesh, regions }: OpenSurface, { regions: name }: Keeping): Mesh {
+  if (name === null) return mesh;
+  const labels = regions?.get(name);
+  if (labels) return { ...mesh, regions: labels };
+  const known = regions?.size ? `those of whole numbers are ${listed([...regions.keys()])}` : 'it has none';
+  const text = `The surface has no cell data ${listed([name])} to part it into regions; ${known}.`;
+  throw Object.assign(new Error(text), { code: 'unknown_regions' });
+}
+
+function withFocus(mesh: Mesh, options: Task['options'], { focus, focusPoint }: Keeping): Task {
+  const variable = mesh.variables.find(({ name }) => name === focus);
+  // What cannot multiply is the core's to refuse.
+  if (!focusPoint || (focus !== null && variable?.components !== 1)) {
+    return focus === null
+      ? { mesh, options, added: false }
+      : { mesh, options: { ...options, focus }, multiplier: variable?.values, added: false };
+  }
+  const near = multiplierNear(mesh, focusPoint);
+  const multiplier = variable ? near.map((each, vertex) => each * variable.values[vertex]) : near;
+  const name = freeName(mesh, focus ?? 'focus');
+  const variables = [...mesh.variables, { name, components: 1, values: multiplier }];
+  return { mesh: { ...mesh, variables }, options: { ...options, focus: name }, multiplier, added: true };
+}
+
+function freeName({ variables }: Mesh, name: string): string {
+  return variables.some((variable) => variable.name === name) ? freeName({ variables } as Mesh, `${name} `) : name;
+}
+
+/** What the core reduced, of the surface's own variables, with what multiplied the bounds. */
+export function resultOf({ multiplier, added }: Task, result: Reduction): Multiplied {
+  if (!multiplier) return result;
+  if (!added) return { ...result, multiplier };
+  return {
+    ...result,
+    multiplier,
+    mesh: withoutLast(result.mesh),
+    triangleErrors: result.triangleErrors.slice(0, -1),
+    vertexErrors: result.vertexErrors?.slice(0, -1),
+    report: withoutLast(result.report),
+  };
+}
+
+/** The same of levels of detail. */
+export function levelsOf(task: Task, { levels, morphs }: Levels): Levels {
+  const own = <End extends MorphEnd>(end: End) => (task.added ? withoutLast(end) : end);
+  return {
+    levels: levels.map((level) => resultOf(task, level)),
+    morphs: morphs.map((morph) => ({ ...morph, finer: own(morph.finer), coarser: own(morph.coarser) })),
+  };
+}
+
+function withoutLast<Whole extends { variables: unknown[] }>(whole: Whole): Whole {
+  return { ...whole, variables: whole.variables.slice(0, -1) };
+}
