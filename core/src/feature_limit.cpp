@@ -10,6 +10,12 @@
 namespace meshbound {
 namespace {
 
+/// Of the progress of a reduction that looks for the feature size first.
+constexpr double share_of_search = 0.1;
+
+/// Each report of the search, after some hundred pairs of triangles, counts as this much work of the ticker.
+constexpr std::size_t work_a_report = 64;
+
 Status too_fine(double size) {
     std::ostringstream text;
     text << "Two lobes of the surface are " << size
@@ -20,12 +26,14 @@ Status too_fine(double size) {
 } // namespace
 
 Status limit_to_feature_size(const Mesh& mesh, const Options& options, std::vector<std::vector<ResolvedBound>>& levels,
-                             std::optional<double>& size) {
+                             std::optional<double>& size, Ticker& ticker) {
     double largest = 0;
     for (const std::vector<ResolvedBound>& bounds : levels)
         if (std::isfinite(bounds[0].absolute)) largest = std::max(largest, bounds[0].absolute);
     if (!options.limit_to_feature_size || largest == 0) return {};
-    size = feature_size(mesh, 2 * largest);
+    size = feature_size(mesh, 2 * largest,
+                        [&](double done) { return ticker.tick(work_a_report, share_of_search * done); });
+    ticker.start_from(share_of_search);
     if (!size) return {};
     for (std::vector<ResolvedBound>& bounds : levels) {
         if (!std::isfinite(bounds[0].absolute)) continue;

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "places.hpp"
+#include "scaled_points.hpp"
+#include "ticker.hpp"
 #include "triangle_contact.hpp"
 #include "triangle_distance.hpp"
 #include "triangle_tree.hpp"
@@ -18,11 +20,16 @@ namespace {
 /// Distances that agree to this fraction are the same: rounding must not part the walls of an even sheet.
 constexpr double same_distance = 1e-9;
 
+/// The largest coordinate is brought to this power of two. The distance from a face is the root of a product of six
+/// differences: it stays below the largest double, and lobes that are 1e-90 of the mesh's size apart still have one.
+constexpr int scaled_exponent = 160;
+
 class LobeSearch {
 public:
     explicit LobeSearch(const Mesh& mesh);
 
-    std::optional<double> smallest(double within);
+    /// Nothing where there is none, or where the caller cancels.
+    std::optional<double> smallest(double within, const Progress& progress);
 
 private:
     void gather_triangles(const Mesh& mesh);
@@ -34,7 +41,8 @@ private:
     std::vector<std::uint32_t> holding(std::uint32_t triangle, unsigned part) const;
     bool local_minimum(std::uint32_t one, std::uint32_t other, const NearestPoints& nearest) const;
 
-    std::vector<glm::dvec3> points_; // by vertex
+    std::vector<glm::dvec3> points_; // by vertex, scaled
+    int exponent_ = 0;               // they are 2^exponent_ as large as the mesh's
     std::vector<PlacedTriangle> triangles_;
     std::vector<std::uint32_t> first_, around_; // triangles around place v: around_[first_[v] … first_[v + 1])
     TriangleTree tree_;
@@ -42,9 +50,10 @@ private:
     bool found_ = false;
 };
 
-LobeSearch::LobeSearch(const Mesh& mesh) : points_(vertex_count(mesh)) {
-    for (std::size_t vertex = 0; vertex < points_.size(); ++vertex)
-        for (int axis = 0; axis < 3; ++axis) points_[vertex][axis] = value_at(mesh.position, vertex, axis);
+LobeSearch::LobeSearch(const Mesh& mesh) {
+    ScaledPoints scaled = scaled_points(mesh, scaled_exponent);
+    points_ = std::move(scaled.points);
+    exponent_ = scaled.exponent;
     gather_triangles(mesh);
     gather_around();
     build_tree();
@@ -93,14 +102,16 @@ bool LobeSearch::share_place(std::uint32_t one, std::uint32_t other) const {
     });
 }
 
-std::optional<double> LobeSearch::smallest(double within) {
-    least_ = within;
-    for (std::uint32_t one = 0; one < triangles_.size(); ++one)
+std::optional<double> LobeSearch::smallest(double within, const Progress& progress) {
+    Ticker ticker(progress);
+    least_ = std::ldexp(within, exponent_);
+    for (std::uint32_t one = 0; one < triangles_.size() && !ticker.cancelled(); ++one)
         tree_.any(box(one, least_), [&](std::uint32_t other) {
             if (other > one && !share_place(one, other)) look_at(one, other);
-            return false;
+            return !ticker.tick(1, double(one) / double(triangles_.size()));
         });
-    return found_ ? std::optional(least_) : std::nullopt;
+    if (!found_ || ticker.cancelled()) return std::nullopt;
+    return std::ldexp(least_, -exponent_);
 }
 
 void LobeSearch::look_at(std::uint32_t one, std::uint32_t other) {
@@ -142,6 +153,8 @@ bool LobeSearch::local_minimum(std::uint32_t one, std::uint32_t other, const Nea
 
 } // namespace
 
-std::optional<double> feature_size(const Mesh& mesh, double within) { return LobeSearch(mesh).smallest(within); }
+std::optional<double> feature_size(const Mesh& mesh, double within, const Progress& progress) {
+    return LobeSearch(mesh).smallest(within, progress);
+}
 
 } // namespace meshbound

@@ -113,7 +113,7 @@ Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const 
             if (Status status = check_focus(mesh, bounds_of_level, options.reduction); !status.ok()) return status;
         ticker.ask();
         std::optional<double> feature;
-        if (Status status = limit_to_feature_size(mesh, options.reduction, resolved, feature); !status.ok())
+        if (Status status = limit_to_feature_size(mesh, options.reduction, resolved, feature, ticker); !status.ok())
             return status;
         levels = reduce_all(mesh, resolved, options, oddities, ticker);
         for (Reduction& level : levels.levels) level.report.feature_size = feature;

@@ -1,11 +1,11 @@
 #include "piercing.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "indexing.hpp"
 #include "places.hpp"
+#include "scaled_points.hpp"
 
 namespace meshbound {
 namespace {
@@ -13,22 +13,6 @@ namespace {
 /// The largest coordinate is brought to this power of two. Products of three stay below the largest double, and those of
 /// the smallest differences above the smallest one, as long as no coordinate but 0 is below 1e-150 of the largest.
 constexpr int scaled_exponent = 300;
-
-/// All positions, times a power of two, which rounds nothing.
-std::vector<glm::dvec3> scaled_points(const Mesh& mesh) {
-    std::vector<glm::dvec3> points(vertex_count(mesh));
-    double largest = 0;
-    for (std::size_t vertex = 0; vertex < points.size(); ++vertex)
-        for (int axis = 0; axis < 3; ++axis) {
-            points[vertex][axis] = value_at(mesh.position, vertex, axis);
-            largest = std::max(largest, std::abs(points[vertex][axis]));
-        }
-    if (!(largest > 0)) return points;
-    const int exponent = scaled_exponent - std::ilogb(largest);
-    for (glm::dvec3& point : points)
-        for (int axis = 0; axis < 3; ++axis) point[axis] = std::ldexp(point[axis], exponent);
-    return points;
-}
 
 /// Whether two of the corners are at one place: then there is nothing to it but an edge, which its neighbours have too.
 bool collapsed(const PlacedTriangle& triangle) {
@@ -46,7 +30,7 @@ BoundingBox box_of(const PlacedTriangle& triangle) {
 } // namespace
 
 Piercing::Piercing(const Mesh& mesh, const Surface& surface)
-    : surface_(surface), points_(scaled_points(mesh)), places_(number_places(points_)) {
+    : surface_(surface), points_(scaled_points(mesh, scaled_exponent).points), places_(number_places(points_)) {
     build();
 }
 

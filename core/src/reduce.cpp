@@ -25,7 +25,8 @@ Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Re
         if (Status status = check_focus(mesh, resolved[0], options); !status.ok()) return status;
         ticker.ask();
         std::optional<double> feature;
-        if (Status status = limit_to_feature_size(mesh, options, resolved, feature); !status.ok()) return status;
+        if (Status status = limit_to_feature_size(mesh, options, resolved, feature, ticker); !status.ok())
+            return status;
         reduction = ReductionRun(mesh, options, oddities, ticker).reduce_within(resolved[0], {});
         reduction.report.feature_size = feature;
         ticker.finish();

@@ -13,11 +13,15 @@ class Ticker {
 public:
     explicit Ticker(const Progress& progress) : progress_(progress) {}
 
-    /// `work` units were done, `progress` of the whole is reached. False when the caller wants to cancel.
+    /// `work` units were done, `progress` of what lies ahead (see start_from) is reached. False when the caller wants to
+    /// cancel.
     bool tick(std::size_t work, double progress) {
-        reached_ = std::max(reached_, std::min(progress, 1.0));
+        reached_ = std::max(reached_, start_ + (1 - start_) * std::min(progress, 1.0));
         return tick(work);
     }
+
+    /// What was done so far is this share of the whole; progress counts from here.
+    void start_from(double share) { reached_ = start_ = std::max(reached_, share); }
 
     /// The same, no farther than before.
     bool tick(std::size_t work) {
@@ -45,7 +49,7 @@ private:
 
     const Progress& progress_;
     std::size_t pending_ = 0;
-    double reached_ = 0;
+    double reached_ = 0, start_ = 0;
     bool cancelled_ = false;
 };
 

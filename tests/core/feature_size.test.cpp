@@ -1,7 +1,9 @@
 // The feature size (§3.2.3): the smallest distance between two lobes that face each other.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -62,6 +64,34 @@ TEST(FeatureSizeTest, GrowsWithTheMesh) {
     EXPECT_EQ(1024 * feature_size(small, 1).value(), feature_size(large, 1024).value());
 }
 
+/// Found by the fuzzer: products of such coordinates are beyond any double.
+TEST(FeatureSizeTest, IsFoundInAnyUnit) {
+    const Mesh mesh = meshes::nested_spheres(8, 0.2);
+    const double size = feature_size(mesh, 1).value();
+    for (const double unit : {0x1p-1000, 0x1p-600, 0x1p600, 0x1p1000}) {
+        const Mesh scaled = meshes::mapped(mesh, [unit](glm::dvec3 p) { return unit * p; });
+        EXPECT_EQ(feature_size(scaled, unit).value_or(0), unit * size) << unit;
+    }
+}
+
+TEST(FeatureSizeTest, IsCalledOffAtAnyTime) {
+    const Mesh mesh = meshes::nested_spheres(12, 0.1);
+    std::vector<double> progress;
+    const auto record = [&](double reached) {
+        progress.push_back(reached);
+        return true;
+    };
+    ASSERT_TRUE(feature_size(mesh, 1, record).has_value());
+    ASSERT_GT(progress.size(), 10U);
+    EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+    EXPECT_LE(progress.back(), 1);
+    for (const std::size_t last_call : {std::size_t{0}, progress.size() / 2, progress.size() - 1}) {
+        std::size_t call = 0;
+        EXPECT_FALSE(feature_size(mesh, 1, [&](double) { return call++ < last_call; }).has_value());
+        EXPECT_EQ(call, last_call + 1) << "asked again after it was told to stop";
+    }
+}
+
 /// Half of it, because both lobes may move.
 TEST(FeatureLimitTest, LimitsTheBoundOfPosition) {
     Options options;
@@ -75,6 +105,31 @@ TEST(FeatureLimitTest, LimitsTheBoundOfPosition) {
         EXPECT_LT(reduction.mesh.triangles.size(), exhibit.mesh.triangles.size());
         promise::expect_everything(exhibit.mesh, reduction);
     }
+}
+
+TEST(FeatureLimitTest, TheSearchForItIsPartOfTheProgress) {
+    Options options;
+    options.limit_to_feature_size = true;
+    const Mesh mesh = meshes::nested_spheres(12, 0.1);
+    const Bounds bounds = {{"position", relative(0.2)}};
+    std::vector<double> progress;
+    Reduction reduction;
+    ASSERT_TRUE(reduce(mesh, bounds, options, reduction, [&](double reached) {
+                    progress.push_back(reached);
+                    return true;
+                }).ok());
+    EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+    EXPECT_EQ(progress.back(), 1);
+    const auto in_search = [](double reached) { return 0 < reached && reached < 0.1; };
+    ASSERT_GT(std::count_if(progress.begin(), progress.end(), in_search), 3);
+    std::size_t calls = 0;
+    ASSERT_TRUE(reduce(mesh, bounds, options, reduction, [&](double reached) {
+                    ++calls;
+                    return !in_search(reached);
+                }).ok());
+    EXPECT_EQ(reduction.report.stopped, Stopped::cancelled);
+    EXPECT_EQ(reduction.mesh.triangles.size(), mesh.triangles.size());
+    EXPECT_LT(calls, progress.size());
 }
 
 TEST(FeatureLimitTest, LeavesAFinerBoundAndAFreePosition) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "meshbound/mesh.hpp"
+#include "meshbound/options.hpp"
 
 namespace meshbound {
 
@@ -15,7 +16,8 @@ namespace meshbound {
 /// round a tunnel or a neck are on one lobe, which curves; what holds these open is Options::refuse_piercing. Where the
 /// surface meets itself already it has no distance. Points count as joined where vertices coincide, as along a seam.
 ///
-/// Only sizes below `within` are looked for; nothing where there is none. The mesh is valid (see validate).
-std::optional<double> feature_size(const Mesh& mesh, double within);
+/// Only sizes below `within` are looked for; nothing where there is none. The mesh is valid (see validate). A cancelled call
+/// finds nothing.
+std::optional<double> feature_size(const Mesh& mesh, double within, const Progress& progress = {});
 
 } // namespace meshbound

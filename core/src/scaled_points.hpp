@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "meshbound/mesh.hpp"
+
+namespace meshbound {
+
+/// The positions of a mesh times a power of two, which rounds nothing, so that products of a few coordinates stay within what
+/// a double holds whatever the unit is.
+struct ScaledPoints {
+    std::vector<glm::dvec3> points; ///< by vertex
+    int exponent = 0;               ///< they are 2^exponent as large as the mesh's
+};
+
+/// The largest coordinate becomes 2^largest_exponent or more, less than twice that. Where all are 0 they stay.
+ScaledPoints scaled_points(const Mesh& mesh, int largest_exponent);
+
+} // namespace meshbound
