@@ -57,15 +57,16 @@ val failure(const std::string& code, const std::string& message) {
     return result;
 }
 
-val judge_meshes(const val& original, const val& reduced, const val& bounds, double samples) {
+val judge_meshes(const val& original, const val& reduced, const val& bounds, double samples, const val& multipliers) {
     try {
         const Mesh one = mesh_from(original);
         const Mesh other = mesh_from(reduced);
         const auto limits = emscripten::convertJSArrayToNumberVector<double>(bounds);
+        const auto factors = emscripten::convertJSArrayToNumberVector<double>(multipliers);
         const auto budget = static_cast<std::size_t>(samples);
         val verdict = val::object();
-        verdict.set("surface", judgement_to(judge::judge(one, other, limits, budget)));
-        verdict.set("boundary", judgement_to(judge::judge_boundary(one, other, limits, budget)));
+        verdict.set("surface", judgement_to(judge::judge(one, other, limits, budget, factors)));
+        verdict.set("boundary", judgement_to(judge::judge_boundary(one, other, limits, budget, factors)));
         val result = val::object();
         result.set("ok", true);
         result.set("value", verdict);

@@ -34,8 +34,15 @@ export interface Judge {
   /**
    * Judges a reduced surface by what anyone can see of it (tests/judge/judge.hpp). Both meshes carry the same variables in
    * the same order, finite numbers and indices that exist. `bounds` are absolute, position first; Infinity is free.
+   * `multipliers` multiply all bounds, one above zero at each vertex of the original; none where nothing does.
    */
-  judge(original: Mesh, reduced: Mesh, bounds: readonly number[], samples: number): Outcome<Verdict>;
+  judge(
+    original: Mesh,
+    reduced: Mesh,
+    bounds: readonly number[],
+    samples: number,
+    multipliers: ArrayLike<number>,
+  ): Outcome<Verdict>;
 }
 
 /** A ratio is exact to this fraction of a bound, so up to 1 + `judgeAccuracy` the bounds are kept. */

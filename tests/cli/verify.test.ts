@@ -50,6 +50,7 @@ test('--json has the documented shape', async () => {
     original: 'engine.vtp',
     reduced: 'small.vtp',
     bounds: ['position', 'pressure', 'velocity', 'temperature'].map((name) => ({ name, bound: expect.any(Number) })),
+    focus: null,
     ratio: expect.any(Number),
     surface: both,
     boundary: both,
@@ -123,6 +124,53 @@ test('a variable with other components cannot be compared', async () => {
   const outcome = await folder.run('verify', 'engine.vtp', 'flat.vtp', '-b', 'velocity=3%');
   expect(outcome).toMatchObject({ status: 2, stdout: '' });
   expect(outcome.stderr).toContain('flat.vtp: “velocity” has 1 component, that of the original 3');
+});
+
+describe('with --focus, bounds hold as the variable multiplies them', () => {
+  const focused = [...bounds, '-b', 'sharp=free'];
+
+  /** The engine with a multiplier: a twentieth on one side of it. */
+  function sharpened(): Mesh {
+    const mesh = engine();
+    const values = Float32Array.from({ length: mesh.position.length / 3 }, (_, i) =>
+      mesh.position[3 * i] < 0.5 ? 0.05 : 1,
+    );
+    return { ...mesh, variables: [...mesh.variables, { name: 'sharp', components: 1, values }] };
+  }
+
+  beforeAll(() => folder.save('sharp.vtp', sharpened()));
+
+  test('what was reduced so passes', async () => {
+    await folder.run('reduce', 'sharp.vtp', '-o', 'focused.vtp', ...focused, '--focus', 'sharp');
+    const outcome = await folder.run('verify', 'sharp.vtp', 'focused.vtp', ...focused, '--focus', 'sharp');
+    expect(outcome).toMatchObject({ status: 0, stderr: '' });
+    expect(outcome.stdout).toContain('each multiplied by sharp');
+    const json = await folder.run('verify', 'sharp.vtp', 'focused.vtp', '--json', ...focused, '--focus', 'sharp');
+    const found = JSON.parse(json.stdout);
+    expect(found.focus).toBe('sharp');
+    expect(found.ratio).toBeGreaterThan(0.5);
+  });
+
+  test('what was reduced without does not', async () => {
+    const plain = await folder.run('verify', 'sharp.vtp', 'small.vtp', ...focused);
+    expect(plain.status).toBe(0);
+    const found = await folder.run('verify', 'sharp.vtp', 'small.vtp', '--json', ...focused, '--focus', 'sharp');
+    expect(found.status).toBe(1);
+    const { surface } = JSON.parse(found.stdout);
+    expect(surface.fromOriginal.position[0]).toBeLessThan(0.6);
+  });
+
+  test('what cannot multiply is refused', async () => {
+    const fault = (name: string, file = 'sharp.vtp') =>
+      folder.run('verify', file, 'small.vtp', '-b', 'position=1%', '--focus', name);
+    expect(await fault('shrap')).toMatchObject({ status: 2, stdout: '' });
+    expect((await fault('shrap')).stderr).toContain('sharp.vtp: there is no variable “shrap” to multiply the bounds');
+    expect((await fault('velocity')).stderr).toContain('“velocity” has 3 components');
+    const mesh = sharpened();
+    mesh.variables[3].values[7] = 0;
+    await folder.save('blunt.vtp', mesh);
+    expect((await fault('sharp', 'blunt.vtp')).stderr).toContain('it is 0 at point 7');
+  });
 });
 
 test('more samples are looked at when asked for, and --quiet leaves the status alone', async () => {

@@ -146,6 +146,38 @@ TEST(Judge, ComparesBoundariesAsCurves) {
     EXPECT_EQ(judge::judge_boundary(whole, meshes::cube(3), {0.1}).ratio(), infinity);
 }
 
+std::vector<double> multipliers_of(const Mesh& mesh, const std::function<double(glm::dvec3)>& multiplier) {
+    std::vector<double> multipliers;
+    for (std::uint32_t v = 0; v < vertex_count(mesh); ++v) multipliers.push_back(multiplier(meshes::point(mesh, v)));
+    return multipliers;
+}
+
+TEST(Judge, MultipliesBoundsAsTheyAreAtThePointOfTheOriginal) {
+    // A plane lifted by two bounds; the multiplier rises from 1 by 2 along x, so by 0.02 a bound.
+    const Mesh flat = meshes::plane(8, 8);
+    const Mesh lifted = meshes::mapped(flat, [](glm::dvec3 p) { return p + glm::dvec3(0, 0, 0.02); });
+    const auto rising = multipliers_of(flat, [](glm::dvec3 p) { return 1 + 2 * p.x; });
+    const Judgement judgement = judge::judge(flat, lifted, {0.01}, judge::usual_samples, rising);
+    EXPECT_NEAR(judgement.from_original.ratio, 2, 1e-6);
+    EXPECT_NEAR(judgement.from_original.position[0], 0, 1e-12);
+    // A point above x = 0 may look d bounds aside, where the multiplier is 1 + 0.02 d: the least of sqrt(4 + d^2) / (1 + 0.02 d).
+    EXPECT_NEAR(judgement.from_reduced.ratio, 1 / std::sqrt(0.25 + 0.02 * 0.02), 1e-6);
+
+    const Judgement boundary = judge::judge_boundary(flat, lifted, {0.01}, judge::usual_samples, rising);
+    EXPECT_NEAR(boundary.from_original.ratio, 2, 1e-6);
+    EXPECT_NEAR(boundary.from_reduced.ratio, 2, 1e-6) << "the edge above x = 0 cannot look aside";
+
+    const std::vector<double> five(vertex_count(flat), 5);
+    EXPECT_NEAR(judge::judge(flat, lifted, {0.01}, judge::usual_samples, five).ratio(), 0.4, 1e-6);
+}
+
+TEST(Judge, RefusesMultipliersThatAreNone) {
+    const Mesh mesh = meshes::plane(1, 1);
+    for (const std::vector<double>& bad :
+         {std::vector<double>{1, 1}, {1, 1, 1, 0}, {1, 1, 1, -1}, {1, 1, 1, std::nan("")}, {1, 1, 1, infinity}})
+        EXPECT_THROW(judge::judge(mesh, mesh, {1}, 10, bad), std::invalid_argument);
+}
+
 TEST(Judge, RefusesWhatCannotBeCompared) {
     const Mesh one = plane_with(meshes::linear_field), other = meshes::plane(2, 2);
     EXPECT_THROW(judge::judge(one, other, {1, 1}), std::invalid_argument);
@@ -172,6 +204,42 @@ TEST(JointTree, FindsTheNearestOfAllTriangles) {
         const auto guess = static_cast<std::uint32_t>(random.below(surface.triangles.size()));
         EXPECT_NEAR(tree.nearest(q.data(), 0, guess).nearest.distance, least, 1e-6 * least);
         EXPECT_LE(tree.nearest(q.data(), 1.2 * least, guess).nearest.distance, 1.2 * least);
+    }
+}
+
+/// Against points all over the surface, with multipliers that differ tenfold from corner to corner.
+TEST(JointTree, FindsTheSmallestShareOfTheMultipliedBounds) {
+    Mesh mesh = meshes::torus(8, 5);
+    meshes::add_usual_fields(mesh);
+    const judge::JointSpace space = judge::joint_space(mesh, {0.1, 0.5, 0.2, 0.3, 0.4});
+    judge::JointSurface surface = judge::joint_surface(mesh, space);
+    meshes::Random random(2);
+    for (std::size_t v = 0; v < vertex_count(mesh); ++v) surface.multipliers.push_back(random.uniform(0.2, 2));
+    const judge::JointTree tree(surface, space);
+    const judge::JointDistance metric(space.components);
+    std::vector<double> q(static_cast<std::size_t>(space.dimensions())), p = q;
+    const auto share_at = [&](std::size_t triangle, double u, double v) {
+        const auto& [a, b, c] = surface.triangles[triangle];
+        const auto mixed = [=](double at_a, double at_b, double at_c) {
+            return (1 - u - v) * at_a + u * at_b + v * at_c;
+        };
+        for (std::size_t k = 0; k < p.size(); ++k)
+            p[k] = mixed(surface.row(a)[k], surface.row(b)[k], surface.row(c)[k]);
+        const std::vector<double>& m = surface.multipliers;
+        return metric.between(q.data(), p.data()) / mixed(m[a], m[b], m[c]);
+    };
+    constexpr int steps = 40;
+    for (int n = 0; n < 20; ++n) {
+        for (double& x : q) x = random.uniform(-8, 8);
+        double least = infinity;
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+            for (int i = 0; i <= steps; ++i)
+                for (int j = 0; i + j <= steps; ++j)
+                    least = std::min(least, share_at(t, i / double(steps), j / double(steps)));
+        const judge::Foot foot = tree.nearest(q.data(), 0, 0);
+        EXPECT_LE(foot.nearest.distance, least * (1 + 1e-6));
+        EXPECT_GT(foot.nearest.distance, 0.95 * least);
+        EXPECT_NEAR(share_at(foot.triangle, foot.nearest.u, foot.nearest.v), foot.nearest.distance, 1e-6 * least);
     }
 }
 

@@ -58,7 +58,7 @@ function judgedError(mesh: Mesh, reduced: Mesh, limits: number[], variable: numb
 }
 
 function judgedRatio(original: Mesh, reduced: Mesh, limits: number[]): number {
-  const answer = judge.judge(original, reduced, limits, samples);
+  const answer = judge.judge(original, reduced, limits, samples, []);
   if (!answer.ok) throw new Error(answer.failure.message);
   return largestRatio(answer.value);
 }

@@ -25,6 +25,8 @@ struct JointSurface {
     int dimensions = 0;
     std::vector<double> rows; ///< `dimensions` numbers a vertex
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    /// What multiplies the limit at each vertex, linear between them; empty where nothing does.
+    std::vector<double> multipliers{};
     const double* row(std::uint32_t vertex) const { return rows.data() + std::size_t{vertex} * dimensions; }
 };
 

@@ -13,7 +13,8 @@ constexpr std::uint32_t leaf_size = 4;
 }
 
 JointTree::JointTree(const JointSurface& surface, const JointSpace& space)
-    : surface_(surface), components_(space.components), metric_(space.components), order_(surface.triangles.size()) {
+    : surface_(surface), components_(space.components), metric_(space.components), order_(surface.triangles.size()),
+      origin_(static_cast<std::size_t>(surface.dimensions), 0.0), scaled_{origin_, origin_, origin_} {
     if (order_.empty()) throw std::invalid_argument("a surface_ without triangles");
     std::iota(order_.begin(), order_.end(), 0U);
     nodes_.reserve(order_.size());
@@ -24,6 +25,10 @@ JointTree::JointTree(const JointSurface& surface, const JointSpace& space)
 void JointTree::enclose(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
     const auto d = static_cast<std::size_t>(surface_.dimensions);
     boxes_.resize(nodes_.size() * 2 * d);
+    if (!surface_.multipliers.empty()) {
+        most_multipliers_.resize(nodes_.size());
+        most_multipliers_[node] = most_multiplier(begin, end);
+    }
     double* low = boxes_.data() + node * 2 * d;
     double* high = low + d;
     std::fill(low, high, std::numeric_limits<double>::infinity());
@@ -36,6 +41,14 @@ void JointTree::enclose(std::uint32_t node, std::uint32_t begin, std::uint32_t e
                 high[k] = std::max(high[k], row[k]);
             }
         }
+}
+
+double JointTree::most_multiplier(std::uint32_t begin, std::uint32_t end) const {
+    double most = 0;
+    for (std::uint32_t i = begin; i < end; ++i)
+        for (const std::uint32_t vertex : surface_.triangles[order_[i]])
+            most = std::max(most, surface_.multipliers[vertex]);
+    return most;
 }
 
 int JointTree::widest(std::uint32_t node) const {
@@ -69,6 +82,7 @@ void JointTree::split(std::uint32_t node, std::uint32_t begin, std::uint32_t end
     split(children + 1, half, end);
 }
 
+/// No point in the box is nearer, its distance divided by its multiplier.
 double JointTree::box_distance(const double* q, std::uint32_t node) const {
     const auto d = static_cast<std::size_t>(surface_.dimensions);
     const double* low = boxes_.data() + node * 2 * d;
@@ -83,13 +97,35 @@ double JointTree::box_distance(const double* q, std::uint32_t node) const {
         }
         worst = std::max(worst, sum);
     }
-    return std::sqrt(worst);
+    return std::sqrt(worst) / (most_multipliers_.empty() ? 1 : most_multipliers_[node]);
+}
+
+/// A point p of the triangle is the sum of w_i p_i, its multiplier m that of w_i m_i. So with v_i = w_i m_i / m, which are
+/// barycentric coordinates as well, (p - q) / m is the sum of v_i (p_i - q) / m_i: a point of another triangle, the one with
+/// these corners, and nearest where that comes nearest to the origin.
+Nearest JointTree::multiplied(const double* q, std::uint32_t triangle, double enough, double cutoff) const {
+    const auto& t = surface_.triangles[triangle];
+    std::array<double, 3> multipliers{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        multipliers[i] = surface_.multipliers[t[i]];
+        for (std::size_t k = 0; k < origin_.size(); ++k)
+            scaled_[i][k] = (surface_.row(t[i])[k] - q[k]) / multipliers[i];
+    }
+    Nearest found =
+        metric_.to_triangle(origin_.data(), scaled_[0].data(), scaled_[1].data(), scaled_[2].data(), enough, cutoff);
+    const double first = (1 - found.u - found.v) / multipliers[0];
+    const double second = found.u / multipliers[1], third = found.v / multipliers[2];
+    found.u = second / (first + second + third);
+    found.v = third / (first + second + third);
+    return found;
 }
 
 void JointTree::try_triangle(const double* q, double enough, std::uint32_t triangle, Foot& foot) const {
     const auto& t = surface_.triangles[triangle];
-    const Nearest found = metric_.to_triangle(q, surface_.row(t[0]), surface_.row(t[1]), surface_.row(t[2]), enough,
-                                              foot.nearest.distance);
+    const Nearest found = most_multipliers_.empty()
+                              ? metric_.to_triangle(q, surface_.row(t[0]), surface_.row(t[1]), surface_.row(t[2]),
+                                                    enough, foot.nearest.distance)
+                              : multiplied(q, triangle, enough, foot.nearest.distance);
     if (found.distance < foot.nearest.distance) foot = {found, triangle};
 }
 

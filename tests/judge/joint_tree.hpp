@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace judge {
 
-/// The nearest point of a surface.
+/// The nearest point of a surface, by its distance or, on a surface with multipliers, by distance / multiplier.
 struct Foot {
     Nearest nearest{JointDistance::infinite, 0, 0};
     std::uint32_t triangle = 0;
@@ -21,7 +22,8 @@ public:
     JointTree(const JointSurface& surface, const JointSpace& space);
 
     /// The point of the surface nearest to `q`; the first one found that is no farther than `enough` ends the search.
-    /// `guess` is a triangle to look at first.
+    /// `guess` is a triangle to look at first. Where the surface has multipliers, every point's distance counts divided by the
+    /// multiplier there.
     Foot nearest(const double* q, double enough, std::uint32_t guess) const;
 
 private:
@@ -40,6 +42,8 @@ private:
     int widest(std::uint32_t node) const;
     double middle(std::uint32_t triangle, int dimension) const;
     double box_distance(const double* q, std::uint32_t node) const;
+    double most_multiplier(std::uint32_t begin, std::uint32_t end) const;
+    Nearest multiplied(const double* q, std::uint32_t triangle, double enough, double cutoff) const;
     void try_triangle(const double* q, double enough, std::uint32_t triangle, Foot& foot) const;
 
     const JointSurface& surface_;
@@ -47,7 +51,10 @@ private:
     JointDistance metric_;
     std::vector<std::uint32_t> order_;
     std::vector<Node> nodes_;
-    std::vector<double> boxes_; ///< a node's lowest, then its highest corner
+    std::vector<double> boxes_;            ///< a node's lowest, then its highest corner
+    std::vector<double> most_multipliers_; ///< by node; empty where the surface has none
+    std::vector<double> origin_;
+    mutable std::array<std::vector<double>, 3> scaled_;
     mutable std::vector<Pending> pending_;
 };
 

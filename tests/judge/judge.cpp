@@ -1,7 +1,9 @@
 #include "judge/judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "judge/joint_surface.hpp"
 #include "judge/joint_tree.hpp"
@@ -29,11 +31,12 @@ private:
     void look_at(const Sample& sample) {
         ++worst_.samples;
         place(from_, sample.triangle, sample.barycentric, point_);
-        const double enough = std::max(worst_.ratio, negligible);
+        const double limit = multiplier_at(sample);
+        const double enough = limit * std::max(worst_.ratio, negligible);
         const Foot foot = tree_.nearest(point_.data(), enough, last_);
         last_ = foot.triangle;
         if (foot.nearest.distance <= enough) return;
-        worst_.ratio = foot.nearest.distance;
+        worst_.ratio = foot.nearest.distance / limit;
         worst_.triangle = sample.triangle;
         worst_.barycentric = sample.barycentric;
         const auto [distance, u, v] = foot.nearest;
@@ -41,6 +44,14 @@ private:
         std::size_t dominant = 0;
         metric_.between(point_.data(), foot_point_.data(), &dominant);
         worst_.variable = space_.variables[dominant];
+    }
+
+    double multiplier_at(const Sample& sample) const {
+        if (from_.multipliers.empty()) return 1;
+        double sum = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            sum += sample.barycentric[i] * from_.multipliers[from_.triangles[sample.triangle][i]];
+        return sum;
     }
 
     static void place(const JointSurface& surface, std::uint32_t triangle, const std::array<double, 3>& barycentric,
@@ -71,6 +82,15 @@ Deviation farthest(const meshbound::Mesh& mesh, const JointSurface& from, const 
     return deviation;
 }
 
+const std::vector<double>& checked(const std::vector<double>& multipliers, const meshbound::Mesh& original) {
+    if (!multipliers.empty() && multipliers.size() != vertex_count(original))
+        throw std::invalid_argument("one multiplier a vertex of the original");
+    for (const double multiplier : multipliers)
+        if (!(multiplier > 0 && std::isfinite(multiplier)))
+            throw std::invalid_argument("a multiplier must be positive");
+    return multipliers;
+}
+
 } // namespace
 
 double Judgement::ratio() const { return std::max(from_original.ratio, from_reduced.ratio); }
@@ -87,18 +107,21 @@ std::ostream& operator<<(std::ostream& out, const Judgement& judgement) {
 }
 
 Judgement judge(const meshbound::Mesh& original, const meshbound::Mesh& reduced, const std::vector<double>& bounds,
-                std::size_t samples) {
+                std::size_t samples, const std::vector<double>& multipliers) {
     const JointSpace space = joint_space(original, bounds);
-    const JointSurface one = joint_surface(original, space);
+    JointSurface one = joint_surface(original, space);
     const JointSurface other = joint_surface(reduced, space);
+    one.multipliers = checked(multipliers, original);
     return {farthest(original, one, other, space, samples), farthest(reduced, other, one, space, samples)};
 }
 
 Judgement judge_boundary(const meshbound::Mesh& original, const meshbound::Mesh& reduced,
-                         const std::vector<double>& bounds, std::size_t samples) {
+                         const std::vector<double>& bounds, std::size_t samples,
+                         const std::vector<double>& multipliers) {
     const JointSpace space = joint_space(original, bounds);
-    const JointSurface one = joint_boundary(original, space);
+    JointSurface one = joint_boundary(original, space);
     const JointSurface other = joint_boundary(reduced, space);
+    one.multipliers = checked(multipliers, original);
     Judgement judgement;
     if (one.triangles.empty() && other.triangles.empty()) return judgement;
     if (one.triangles.empty() || other.triangles.empty()) {

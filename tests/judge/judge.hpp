@@ -35,14 +35,18 @@ inline constexpr std::size_t usual_samples = 50'000;
 /// in the norm max(|Δx| / bound of position, |Δf| / bound of f, ...) is at most 1. Each sample's distance is attained by
 /// a point of the other surface (within 1e-6), so only what lies between the samples can hide.
 ///
-/// `bounds`: absolute, of position first, then one a variable; infinity is free. Throws std::invalid_argument where
-/// bounds are not positive, or the two surfaces do not carry the same variables, or one has no triangle.
+/// `bounds`: absolute, of position first, then one a variable; infinity is free. `multipliers`: what multiplies all bounds at
+/// each vertex of the original, linear on its triangles; none where nothing does. So a point p of the original, of multiplier
+/// m, may be no farther than m from some point of the reduced surface, and for every point of that one there must be such a p
+/// which it is no farther from than p's own m. Throws std::invalid_argument where bounds or multipliers are not positive, or
+/// the two surfaces do not carry the same variables, or one has no triangle.
 Judgement judge(const meshbound::Mesh& original, const meshbound::Mesh& reduced, const std::vector<double>& bounds,
-                std::size_t samples = usual_samples);
+                std::size_t samples = usual_samples, const std::vector<double>& multipliers = {});
 
 /// The same for the two boundaries, as curves: the boundary must map to the boundary. Two closed surfaces agree.
 /// A curve against none is infinitely far.
 Judgement judge_boundary(const meshbound::Mesh& original, const meshbound::Mesh& reduced,
-                         const std::vector<double>& bounds, std::size_t samples = usual_samples);
+                         const std::vector<double>& bounds, std::size_t samples = usual_samples,
+                         const std::vector<double>& multipliers = {});
 
 } // namespace judge

@@ -29,6 +29,21 @@ export function comparable(original: OpenedSurface, reduced: OpenedSurface, boun
   return { one, other, names: ['position', ...names], limits };
 }
 
+/**
+ * What multiplies the bounds at each point: the values of a variable. Throws a Fault where it is missing, has several
+ * components, or is not above zero everywhere.
+ */
+export function multipliersOf({ path, mesh }: OpenedSurface, name: string): Variable['values'] {
+  const focus = mesh.variables.find((variable) => variable.name === name);
+  if (!focus) throw new Fault(`${path}: there is no variable “${name}” to multiply the bounds.`);
+  if (focus.components !== 1) {
+    throw new Fault(`${path}: “${name}” has ${focus.components} components; what multiplies the bounds has one.`);
+  }
+  const bad = focus.values.findIndex((value) => !(value > 0 && Number.isFinite(value)));
+  if (bad < 0) return focus.values;
+  throw new Fault(`${path}: “${name}” cannot multiply the bounds: it is ${focus.values[bad]} at point ${bad}.`);
+}
+
 /** The surface with these variables alone, in this order. Throws a Fault where one is missing or not finite. */
 function onlyWith(names: readonly string[], { path, mesh }: OpenedSurface): Mesh {
   const variables = names.map((name) => {

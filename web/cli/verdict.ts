@@ -15,16 +15,19 @@ interface Finding {
 /** What `verify --json` prints, beside the files; documented in docs/command-line.md. */
 export interface Findings {
   bounds: { name: string; bound: number }[];
+  /** The variable that multiplies the bounds, or null. */
+  focus: string | null;
   ratio: number;
   surface: { fromOriginal: Finding; fromReduced: Finding };
   boundary: { fromOriginal: Finding; fromReduced: Finding };
 }
 
-/** The judge's verdict with the names of the variables, position first, and their absolute bounds. */
+/** The judge's verdict with the names of the variables, position first, their absolute bounds, and what multiplies these. */
 export function findingsOf(
   { surface, boundary }: Verdict,
   names: readonly string[],
   limits: readonly number[],
+  focus: string | null = null,
 ): Findings {
   const named = ({ ratio, variable, position, samples }: Deviation): Finding => {
     return { ratio, variable: names[variable], position, samples };
@@ -36,6 +39,7 @@ export function findingsOf(
   const bounds = names.map((name, i) => ({ name, bound: limits[i] })).filter(({ bound }) => Number.isFinite(bound));
   return {
     bounds,
+    focus,
     ratio: Math.max(...deviations.map(({ ratio }) => ratio)),
     surface: both(surface),
     boundary: both(boundary),
@@ -50,7 +54,7 @@ function row(title: string, { ratio, variable, position, samples }: Finding): st
   return [title, grouped(samples), ratio.toFixed(6), ...(ratio > 0 ? [variable, place] : ['', ''])];
 }
 
-export function verdictText({ bounds, surface, boundary }: Findings): string {
+export function verdictText({ bounds, focus, surface, boundary }: Findings): string {
   const limits = bounds.map(({ name, bound }) => `${printable(name)} ${roundedUpText(bound)}`).join(', ');
   const rows = [
     row('original to reduced', surface.fromOriginal),
@@ -58,5 +62,6 @@ export function verdictText({ bounds, surface, boundary }: Findings): string {
     row('boundary, original to reduced', boundary.fromOriginal),
     row('boundary, reduced to original', boundary.fromReduced),
   ];
-  return `Bounds: ${limits}\n${textTable([heading, ...rows])}`;
+  const multiplied = focus === null ? '' : `, each multiplied by ${printable(focus)}`;
+  return `Bounds: ${limits}${multiplied}\n${textTable([heading, ...rows])}`;
 }

@@ -4,7 +4,7 @@ import type { Mesh } from '../../wasm/types.ts';
 import { parseArguments } from './arguments.ts';
 import { parseBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
-import { comparable } from './comparable.ts';
+import { comparable, multipliersOf } from './comparable.ts';
 import { exitStatus } from './exit-status.ts';
 import { faultOf, UsageFault } from './fault.ts';
 import { sayNotes } from './notes.ts';
@@ -25,6 +25,7 @@ Bounds are written as for "meshbound reduce"; percentages are of the extents in 
 Options:
   -b, --bound NAME=BOUND  as often as needed
   --variables FILE.csv    more variables of ORIGINAL: names in the first line, then a line for each point
+  --focus NAME            a variable of ORIGINAL that multiplies every bound, as for "meshbound reduce"
   --samples N             how many points of each surface are looked at, more or less (default 50000);
                           never fewer than its vertices, edges and triangles
   --json                  the same for programs
@@ -40,6 +41,7 @@ const signature = {
   options: {
     bound: { type: 'string', short: 'b', multiple: true, default: [] as string[] },
     variables: { type: 'string' },
+    focus: { type: 'string' },
     samples: { type: 'string', default: '50000' },
     json: { type: 'boolean', default: false },
     quiet: { type: 'boolean', default: false },
@@ -61,10 +63,11 @@ async function judged(
   reduced: Mesh,
   limits: number[],
   samples: number,
+  multipliers: ArrayLike<number>,
   path: string,
 ): Promise<Verdict> {
   const judge = await loadJudge();
-  const outcome = judge.judge(original, reduced, limits, samples);
+  const outcome = judge.judge(original, reduced, limits, samples, multipliers);
   if (!outcome.ok) throw faultOf(path, new MeshboundError(outcome.failure));
   return outcome.value;
 }
@@ -76,7 +79,9 @@ async function run(args: string[]): Promise<number> {
   const original = await openSurface(positionals[0], values.variables);
   const reduced = await openSurface(positionals[1]);
   const { names, limits, one, other } = comparable(original, reduced, bounds);
-  const findings = findingsOf(await judged(one, other, limits, samples, reduced.path), names, limits);
+  const multipliers = values.focus === undefined ? [] : multipliersOf(original, values.focus);
+  const verdict = await judged(one, other, limits, samples, multipliers, reduced.path);
+  const findings = findingsOf(verdict, names, limits, values.focus);
   const within = findings.ratio <= 1 + judgeAccuracy;
   if (values.json) {
     const found = { original: original.path, reduced: reduced.path, ...findings, within };
