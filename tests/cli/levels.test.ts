@@ -68,6 +68,7 @@ test('the report has an entry of the usual shape for each level', async () => {
       'file',
       'triangles',
       'turnedAway',
+      'dropped',
       'featureSize',
       'variables',
       'seconds',

@@ -67,6 +67,7 @@ test('the report has the documented shape', async () => {
   expect(report).toEqual({
     triangles: { before: 512, after: (await folder.read('out.vtp')).mesh.triangles.length / 3 },
     turnedAway: { before: number, after: number },
+    dropped: { parts: 0, triangles: 0 },
     featureSize: null,
     variables: [
       variable('position', 3, number, number),

@@ -1,9 +1,8 @@
-import { readFile } from 'node:fs/promises';
-import { expect, type Page, test } from '@playwright/test';
+import { expect, test } from '@playwright/test';
 import type { Mesh } from '../../wasm/types.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import { writeSurface } from '../../web/formats/write.ts';
-import { chooseFile, counts, dropFile, sentence, settled, sharePage, typePercent } from './open-page.ts';
+import { chooseFile, counts, dropFile, saved, sentence, settled, sharePage, typePercent } from './open-page.ts';
 import { coverage, pictureOf } from './picture.ts';
 import { brokenFiles, ply, sheet, squareWithNaN } from './surfaces.ts';
 
@@ -11,14 +10,6 @@ const page = sharePage();
 
 /** Of `heat`, some 300, and of errors of it, which are held and saved in single precision. */
 const singlePrecision = 1e-4;
-
-async function saved(shown: Page, format: string): Promise<{ name: string; bytes: Uint8Array }> {
-  const started = shown.waitForEvent('download');
-  await shown.getByRole('button', { name: 'Save…' }).click();
-  await shown.getByRole('button', { name: format === 'map' ? 'Map (VTP)' : format.toUpperCase(), exact: true }).click();
-  const download = await started;
-  return { name: download.suggestedFilename(), bytes: new Uint8Array(await readFile(await download.path())) };
-}
 
 /** All numbers of a vertex as one text. */
 function vertexText({ position, variables }: Mesh, vertex: number): string {

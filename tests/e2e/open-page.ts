@@ -1,3 +1,4 @@
+import { readFile } from 'node:fs/promises';
 import { expect, type Locator, type Page, test } from '@playwright/test';
 
 /** The sentence that states the result. */
@@ -72,6 +73,15 @@ export async function counts(page: Page): Promise<Counts> {
 export async function chooseFile(page: Page, name: string, content: Buffer): Promise<void> {
   const file = { name, mimeType: 'application/octet-stream', buffer: content };
   await page.locator('input[type=file]').setInputFiles(file);
+}
+
+/** Saves the result by the menu: in a format, or its map. */
+export async function saved(shown: Page, format: string): Promise<{ name: string; bytes: Uint8Array }> {
+  const started = shown.waitForEvent('download');
+  await shown.getByRole('button', { name: 'Save…' }).click();
+  await shown.getByRole('button', { name: format === 'map' ? 'Map (VTP)' : format.toUpperCase(), exact: true }).click();
+  const download = await started;
+  return { name: download.suggestedFilename(), bytes: new Uint8Array(await readFile(await download.path())) };
 }
 
 /** Drops a file onto the page. */

@@ -9,6 +9,7 @@ import { reportJson } from '../session/report-json.ts';
 import type { OpenSurface, Reduced } from '../session/session.ts';
 import { english } from '../words/english.ts';
 import { savedFileName } from './file-name.ts';
+import { keepingText } from './keeping-attributes.ts';
 
 /** What can be saved of a reduction: the surface in each format, the report, the original with the map, all levels of detail. */
 export const savedKinds = [...(Object.keys(formatNames) as Format[]), 'report', 'map', 'levels'] as const;
@@ -34,17 +35,18 @@ export async function savedFile(
   if (kind === 'report') {
     return { name: savedFileName(surface.name, 'report', 'json'), content: reportOf(reduced), losses: [] };
   }
-  const content = await writeSurface(kind, mesh, surface.labels);
+  const labels = { ...surface.labels, regionName: reduced.keeping.regions ?? undefined };
+  const content = await writeSurface(kind, mesh, labels);
   return {
     name: savedFileName(surface.name, 'reduced', kind),
     content,
-    losses: await lossesOf(kind, mesh, surface.labels),
+    losses: await lossesOf(kind, mesh, labels),
   };
 }
 
-function reportOf({ result, bounds, method }: Reduced): string {
+function reportOf({ result, bounds, method, keeping }: Reduced): string {
   const cost = method.cost === 'maximum' ? 'max' : 'introduced';
-  return reportJson(result.report, { ...method, bounds: asBounds(bounds), cost });
+  return reportJson(result.report, { ...method, ...keepingText(keeping), bounds: asBounds(bounds), cost });
 }
 
 /** As one GLB file, which holds all of them. */

@@ -55,6 +55,7 @@ const lazyMargin = '200px';
  * @fires {CustomEvent<{ phase: Phase, progress: number }>} progress - What is being done, and how far everything is, 0…1.
  * @fires {CustomEvent<Report>} reduce - A reduction has ended well: its report.
  * @fires {CustomEvent<{ probe: Probe | null, pinned: boolean }>} probe - Another place is pointed at or pinned: what stands there on both surfaces, and each error; null where none is any more.
+ * @fires {CustomEvent<{ place: number[] | null }>} pin - Another place of the original is pinned: where, in the unit of position; null where none is any more.
  * @fires {CustomEvent<Report[]>} levels - Levels of detail are there: the report of each, finest first.
  * @fires {CustomEvent<{ level: number }>} level-change - Another level is shown, or the way between two goes on.
  * @fires {CustomEvent<{ camera: string | null }>} camera-change - The camera has moved; the detail is as the attribute.
@@ -239,6 +240,7 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
   /** What the stage has drawn, and the variable whose worst place is to be pinned when it is a reduction. */
   #shown: Shown = { mesh: null, reduction: null };
   #worstWanted: string | null = null;
+  #toldPin: readonly number[] | null = null;
   #levelView: LevelView | null = null;
   #motion = new LevelMotion(this.levels, () => this.#stage?.showsReduced ?? false);
   /** What the last change of the session was compared with. */
@@ -646,6 +648,7 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
       exportparts="sentence, numbers"
       .report=${reduction?.report ?? null}
       .measured=${!reduction || isMeasured(reduction)}
+      ?multiplied=${this.session.state.reduced?.result.multiplier !== undefined}
       .opening=${opening}
       .progress=${progress}
       .cancelled=${cancelled}
@@ -740,6 +743,10 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
     this.requestUpdate();
     const { probe, pinned, pending } = this.#probing.state;
     if (!pending) this.#fire('probe', { probe, pinned });
+    const place = (pinned && probe?.original?.position) || null;
+    if (`${place}` === `${this.#toldPin}`) return;
+    this.#toldPin = place;
+    this.#fire('pin', { place });
   }
 
   #stageShown({ detail }: CustomEvent<Shown>): void {

@@ -25,15 +25,19 @@ export function isMeasured({ vertexErrors }: Reduction): boolean {
  * most used: pressure, 2.97 % (99 % of its bound)." Claims nothing of a variable without a bound.
  *
  * @param measured whether the errors were measured; otherwise they are limits, and the sentence says so
+ * @param multiplied whether the bounds were multiplied by what differs over the surface
  */
-export function promiseSentence({ triangles, variables }: Report, measured: boolean): string {
+export function promiseSentence(report: Report, measured: boolean, multiplied = false): string {
+  const { triangles, variables, dropped } = report;
   const [after, before] = [countText(triangles.after), countText(triangles.before)];
   const counted = words.counted(after, before, english.triangles(triangles.before));
   const bounded = variables.filter((variable) => !isFree(variable));
   const free = variables.filter(isFree).map(placeName);
-  const freed = free.length > 0 ? ` ${words.free(free)}` : '';
+  const left = dropped.parts > 0 ? ` ${words.dropped(countText(dropped.parts), dropped.parts)}` : '';
+  const freed = `${free.length > 0 ? ` ${words.free(free)}` : ''}${left}`;
+  const bounds = `${boundsPhrase(bounded)}${multiplied ? words.multiplied : ''}`;
   if (bounded.length === 0) return `${counted}${freed}`;
-  return `${counted} ${words.proved(boundsPhrase(bounded), mostUsed(bounded, measured))}${freed}`;
+  return `${counted} ${words.proved(bounds, mostUsed(bounded, measured))}${freed}`;
 }
 
 /** "1 % in space, 3 % in pressure and density": variables with the same bound stand together, in their order. */

@@ -20,6 +20,7 @@ export class ResultBar extends LitElement {
   static override properties = {
     report: { attribute: false },
     measured: { type: Boolean },
+    multiplied: { type: Boolean },
     opening: { attribute: false },
     progress: { attribute: false },
     cancelled: { type: Boolean },
@@ -72,6 +73,8 @@ export class ResultBar extends LitElement {
   declare report: Report | null;
   /** Whether the errors of the report were measured; otherwise they are limits from above. */
   declare measured: boolean;
+  /** Whether the bounds were multiplied by what differs over the surface. */
+  declare multiplied: boolean;
   declare opening: Opening | null;
   /** Of the running reduction, 0…1; null where none runs. */
   declare progress: number | null;
@@ -84,6 +87,7 @@ export class ResultBar extends LitElement {
     super();
     this.report = null;
     this.measured = true;
+    this.multiplied = false;
     this.opening = null;
     this.progress = null;
     this.cancelled = false;
@@ -92,7 +96,7 @@ export class ResultBar extends LitElement {
   override render() {
     return html`
       <p part="sentence" class="sentence ${this.progress === null ? '' : 'provisional'}" role="status">
-        ${this.report ? promiseSentence(this.report, this.measured) : ''}
+        ${this.report ? promiseSentence(this.report, this.measured, this.multiplied) : ''}
       </p>
       <span part="numbers" class="numbers soft">${this.#numbers()}</span>
       <slot></slot>

@@ -1,5 +1,5 @@
-import { css, html, LitElement, nothing } from 'lit';
-import type { Mesh, Reduction } from '../../wasm/types.ts';
+import { html, LitElement, nothing } from 'lit';
+import type { Mesh } from '../../wasm/types.ts';
 import {
   aboveBoundColour,
   aboveRangeColour,
@@ -8,7 +8,9 @@ import {
   colourTable,
   missingColour,
 } from '../colour/colormaps.ts';
+import type { Multiplied } from '../probe/multiplied.ts';
 import type { Side } from '../probe/probe.ts';
+import { type Keeping, nothingKept } from '../session/keeping.ts';
 import { nothingProbed, type ProbeState } from '../session/probing.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { type Frame, frameOf } from '../viewer/frame.ts';
@@ -29,7 +31,9 @@ import { countText } from './number-text.ts';
 import './probe-layer.ts';
 import { english } from '../words/english.ts';
 import type { ProbeLayer } from './probe-layer.ts';
+import { StageOutlines } from './stage-outlines.ts';
 import { type ProbedStage, StageProbe } from './stage-probe.ts';
+import { stageStyle } from './stage-style.ts';
 import { firstView, type ViewSettings } from './view-settings.ts';
 
 const sides = ['original', 'reduced'] as const;
@@ -57,6 +61,7 @@ export class Stage extends LitElement {
     surface: { attribute: false },
     result: { attribute: false },
     levels: { attribute: false },
+    keeping: { attribute: false },
     position: { type: Number },
     pixels: { attribute: false },
     settings: { attribute: false },
@@ -66,115 +71,14 @@ export class Stage extends LitElement {
     divider: { state: true },
   };
 
-  static override styles = [
-    controlsStyle,
-    css`
-      :host {
-        display: block;
-        position: relative;
-        container-type: size;
-        background: var(--stage);
-        overflow: hidden;
-      }
-      canvas {
-        position: absolute;
-        width: 100%;
-        height: 100%;
-      }
-      .panes {
-        position: absolute;
-        inset: 0;
-        display: grid;
-        grid-template-columns: 1fr 1fr;
-        gap: 1px;
-      }
-      @container (max-aspect-ratio: 1/1) {
-        .panes {
-          grid-template: 1fr 1fr / none;
-        }
-      }
-      .panes.original,
-      .panes.reduced,
-      .panes.morph,
-      .panes.wipe {
-        grid-template: 1fr / 1fr;
-      }
-      .panes.original #reduced,
-      .panes.reduced #original,
-      .panes.morph #original {
-        display: none;
-      }
-      .panes.wipe .pane {
-        grid-area: 1 / 1;
-        box-shadow: none;
-      }
-      .panes.wipe #reduced {
-        align-items: end;
-      }
-      /* One over the other they have one legend: it is the same for both, or that of the errors of the upper one. */
-      .panes.wipe #reduced .caption {
-        align-self: end;
-      }
-      .panes.wipe #reduced meshbound-legend {
-        visibility: hidden;
-      }
-      .divider {
-        position: absolute;
-        top: 0;
-        bottom: 0;
-        width: 24px;
-        transform: translateX(-50%);
-        cursor: ew-resize;
-        touch-action: none;
-        background: linear-gradient(var(--accent) 0 0) 50% / 2px 100% no-repeat;
-      }
-      .divider::after {
-        content: '';
-        position: absolute;
-        top: calc(50% - 18px);
-        left: 6px;
-        width: 12px;
-        height: 36px;
-        background: var(--control);
-        border: 2px solid var(--accent);
-        border-radius: var(--radius);
-      }
-      .pane {
-        display: flex;
-        flex-direction: column;
-        justify-content: space-between;
-        min-width: 0;
-        min-height: 0;
-        padding: 10px;
-        outline-offset: -2px;
-        cursor: grab;
-      }
-      .pane:active {
-        cursor: grabbing;
-      }
-      .pane + .pane {
-        box-shadow: -1px 0 var(--line), 0 -1px var(--line);
-      }
-      .pane > * {
-        pointer-events: none;
-      }
-      .caption {
-        align-self: start;
-        max-width: 100%;
-        padding: 2px 8px;
-        background: var(--veil);
-        border-radius: var(--radius);
-      }
-      .caption b {
-        font-weight: 600;
-      }
-    `,
-  ];
+  static override styles = [controlsStyle, stageStyle];
 
   declare surface: OpenSurface | null;
-  declare result: Reduction | null;
+  declare result: Multiplied | null;
   /** Levels of detail, to be shown at `position` instead of the result; null where there are none. */
   declare levels: LevelView | null;
+  /** What of the surface is kept: drawn on the original. */
+  declare keeping: Keeping;
   declare position: number;
   /** How many pixels the error of the level that is shown may span; null where it is not chosen so. */
   declare pixels: number | null;
@@ -202,8 +106,9 @@ export class Stage extends LitElement {
   /** Where the corners of the morph that is drawn lie on its two levels. */
   #morphCorners: readonly [finer: MorphCorners, coarser: MorphCorners] | null = null;
   /** The result that the reduced side has drawn: errors on the original side are its errors. */
-  #drawnResult: Reduction | null = null;
+  #drawnResult: Multiplied | null = null;
   #toldShown: Shown = { mesh: null, reduction: null };
+  #outlines = new StageOutlines();
   #pointing = new StageProbe(this.#probedStage());
 
   constructor() {
@@ -211,6 +116,7 @@ export class Stage extends LitElement {
     this.surface = null;
     this.result = null;
     this.levels = null;
+    this.keeping = nothingKept;
     this.position = 1;
     this.pixels = null;
     this.settings = firstView;
@@ -351,6 +257,7 @@ export class Stage extends LitElement {
     if (!this.#viewer) return;
     if (changed.has('surface')) this.#showOriginal();
     if (['surface', 'result', 'levels', 'position'].some((each) => changed.has(each))) this.#showReduced();
+    if (changed.has('keeping')) this.#outline();
     if (changed.has('settings')) this.#applySettings(this.#viewer);
     if (changed.has('surface') || this.#placesDue) this.#applyPlaces(this.#viewer);
     if (changed.has('levels') || changed.has('pixels')) this.#chooseLevel();
@@ -461,6 +368,7 @@ export class Stage extends LitElement {
     const mesh = this.#drawn[original] === this.surface?.mesh ? (this.surface?.mesh ?? null) : null;
     const isShown = mesh !== null && this.#drawn[reduced] === this.#drawnResult?.mesh;
     const shown = { mesh, reduction: isShown ? this.#drawnResult : null };
+    this.#outline();
     if (shown.mesh === this.#toldShown.mesh && shown.reduction === this.#toldShown.reduction) return;
     this.#toldShown = shown;
     this.#tell('stage-shown', shown);
@@ -494,11 +402,18 @@ export class Stage extends LitElement {
       layer.markers = this.#pointing.markers(this.probe.probe);
   }
 
+  #outline(): void {
+    const drawn = this.#drawn[reduced];
+    if (!this.#viewer || !this.surface) return;
+    this.#outlines.showKeeping(this.#viewer, this.surface, this.keeping, this.#frame);
+    this.#outlines.showReduced(this.#viewer, drawn && 'position' in drawn ? drawn : null, this.#frame);
+  }
+
   #tell(type: string, detail: unknown): void {
     this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 
-  #changedResult(result: Reduction | null): void {
+  #changedResult(result: Multiplied | null): void {
     this.#drawnResult = result;
     if (this.settings.quantity !== 'value') this.#repaint(original);
   }
@@ -643,7 +558,7 @@ export class Stage extends LitElement {
 /** What both sides have drawn. */
 export interface Shown {
   mesh: Mesh | null;
-  reduction: Reduction | null;
+  reduction: Multiplied | null;
 }
 
 function shown([red, green, blue]: Colour): ShownColour {

@@ -7,11 +7,13 @@ import type { WantedView } from '../element/view-settings.ts';
 import { stateFromJson, stateJson } from '../element/viewer-state.ts';
 import { surfaceAmong } from '../formats/surface-among.ts';
 import { messageOf } from '../session/failure.ts';
+import { type Keeping, nothingKept } from '../session/keeping.ts';
 import type { Method } from '../session/method.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';
 import { controlsStyle } from '../element/controls-style.ts';
+import { keepingText, type WantedKeeping } from '../element/keeping-attributes.ts';
 import { isMeasured } from '../element/promise-words.ts';
 import { tokens } from '../element/tokens.ts';
 import { FileDrop } from './file-drop.ts';
@@ -111,6 +113,8 @@ export class App extends LitElement {
   #curve = new BoundsCurve(reduce);
   /** Whether the chart is to be seen: nothing is measured for nobody. */
   #charted = false;
+  /** The place on the original that is pinned. */
+  #pinned: readonly number[] | null = null;
   #link = new Link(this.viewer);
   #drop = new FileDrop(this, (files) => this.#openFiles(files));
 
@@ -124,6 +128,10 @@ export class App extends LitElement {
       this.#changed();
     });
     this.#curve.addEventListener('change', () => this.requestUpdate());
+    this.viewer.addEventListener('pin', (event) => {
+      this.#pinned = (event as CustomEvent).detail.place;
+      this.requestUpdate();
+    });
     this.viewer.addEventListener('camera-change', () => this.#link.update());
     this.addEventListener('bound-settled', () => this.viewer.session.settleBounds());
     addEventListener('keydown', this.#pressKey);
@@ -136,7 +144,7 @@ export class App extends LitElement {
 
   override render() {
     const { session } = this.viewer;
-    const { surface, bounds, canUndo, canRedo, method, reduced, opening, progress, cancelled } = session.state;
+    const { surface, bounds, canUndo, canRedo, method, keeping, reduced, opening, progress, cancelled } = session.state;
     const result = reduced?.result ?? null;
     const measured = result !== null && isMeasured(result);
     return html`
@@ -163,6 +171,9 @@ export class App extends LitElement {
           .surface=${surface}
           .bounds=${bounds}
           .method=${method}
+          .keeping=${keeping}
+          .pinned=${this.#pinned}
+          @keeping-change=${({ detail }: CustomEvent<Partial<Keeping>>) => this.#set(keepingText({ ...keeping, ...detail }))}
           .report=${result?.report ?? null}
           .reduction=${result}
           .measured=${measured}
@@ -191,6 +202,7 @@ export class App extends LitElement {
         role="contentinfo"
         .report=${this.viewer.shown?.result.report ?? null}
         .measured=${measured}
+        ?multiplied=${result?.multiplier !== undefined}
         .opening=${opening}
         .progress=${progress}
         .cancelled=${cancelled}
@@ -235,9 +247,14 @@ export class App extends LitElement {
   }
 
   #openSample({ address }: Sample): void {
-    this.viewer.session.wantBounds(null, { later: true });
-    this.viewer.camera = null;
+    this.#forget();
     this.viewer.src = address;
+  }
+
+  /** What was of the surface before, and would mean nothing to another one. */
+  #forget(): void {
+    this.viewer.session.wantBounds(null, { later: true });
+    Object.assign(this.viewer, { camera: null, ...keepingText(nothingKept) });
   }
 
   #openFiles(files: File[]): void {
@@ -247,13 +264,12 @@ export class App extends LitElement {
       void this.#openState(file);
       return;
     }
-    this.viewer.session.wantBounds(null, { later: true });
-    this.viewer.camera = null;
+    this.#forget();
     void this.viewer.open(file, ...files.filter((other) => other !== file));
   }
 
   /** Attributes of the viewer that the controls change. */
-  #set(wanted: Partial<WantedView & Method>): void {
+  #set(wanted: Partial<WantedView & Method & WantedKeeping>): void {
     Object.assign(this.viewer, wanted);
     this.#changed();
   }

@@ -1,9 +1,10 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
-import type { Reduction, Report, VariableExtent } from '../../wasm/index.ts';
+import type { Report, VariableExtent } from '../../wasm/index.ts';
 import { type BoundSetting, type BoundSettings, largestFraction, parsePercent } from '../session/bound-setting.ts';
 import { type Bounds, readBounds } from '../session/bound-text.ts';
 import type { CurvePoint } from '../session/bounds-curve.ts';
+import { type Keeping, nothingKept } from '../session/keeping.ts';
 import type { Method } from '../session/method.ts';
 import type { OpenSurface } from '../session/session.ts';
 import './bound-row.ts';
@@ -14,7 +15,11 @@ import './menu.ts';
 import './method-choice.ts';
 import './number-field.ts';
 import { percentNumber, percentText } from '../element/number-text.ts';
+import './focus-choice.ts';
 import './held-back.ts';
+import './lock-choice.ts';
+import './result-report.ts';
+import type { Multiplied } from '../probe/multiplied.ts';
 import { english } from '../words/english.ts';
 
 /** What the panel asks for: the bound of one variable, the largest of all with the others in proportion, or all. */
@@ -30,7 +35,7 @@ const presets = [
 ];
 
 /**
- * What holds the result back, a row that moves all bounds, one for each variable of the surface, and the method.
+ * What holds the result back, a row that moves all bounds, one for each variable of the surface, and groups for what is rarer.
  *
  * @fires bounds-change with a BoundChange
  * @fires worst-wanted with the name of a variable: where its error is largest is to be shown
@@ -38,12 +43,15 @@ const presets = [
  * @fires undo
  * @fires redo
  * @fires method-change with a Method
+ * @fires keeping-change with what of the Keeping is another
  */
 export class BoundsPanel extends LitElement {
   static override properties = {
     surface: { attribute: false },
     bounds: { attribute: false },
     method: { attribute: false },
+    keeping: { attribute: false },
+    pinned: { attribute: false },
     report: { attribute: false },
     reduction: { attribute: false },
     spreadShown: { state: true },
@@ -90,6 +98,9 @@ export class BoundsPanel extends LitElement {
       }
       .chart,
       .spread,
+      meshbound-lock-choice,
+      meshbound-focus-choice,
+      meshbound-result-report,
       meshbound-method-choice {
         padding: 8px 0;
         border-top: 1px solid var(--line);
@@ -100,9 +111,12 @@ export class BoundsPanel extends LitElement {
   declare surface: OpenSurface | null;
   declare bounds: BoundSettings;
   declare method: Method;
+  declare keeping: Keeping;
+  /** The place on the original that is pinned. */
+  declare pinned: readonly number[] | null;
   declare report: Report | null;
   /** What the report is of. */
-  declare reduction: Reduction | null;
+  declare reduction: Multiplied | null;
   /** Whether the spread of errors is to be seen: it is not worked out for nobody. */
   declare spreadShown: boolean;
   /** Whether the errors of the report were measured; otherwise they are limits from above. */
@@ -116,6 +130,8 @@ export class BoundsPanel extends LitElement {
     super();
     this.surface = null;
     this.bounds = {};
+    this.keeping = nothingKept;
+    this.pinned = null;
     this.report = null;
     this.reduction = null;
     this.spreadShown = false;
@@ -141,6 +157,21 @@ export class BoundsPanel extends LitElement {
         (variable, index) => this.#row(variable, index),
       )}
       ${this.#spread()} ${this.#chart()}
+      <meshbound-result-report
+        .report=${this.report}
+        .method=${this.method}
+        .unit=${this.surface.labels.units.position}
+      ></meshbound-result-report>
+      <meshbound-lock-choice
+        .surface=${this.surface}
+        .keeping=${this.keeping}
+        .pinned=${this.pinned}
+      ></meshbound-lock-choice>
+      <meshbound-focus-choice
+        .surface=${this.surface}
+        .keeping=${this.keeping}
+        .pinned=${this.pinned}
+      ></meshbound-focus-choice>
       <meshbound-method-choice
         .method=${this.method}
         @method-change=${({ detail }: CustomEvent<Method>) =>

@@ -12,7 +12,7 @@ export interface ReportOptions {
 
 /** The report as a file; its shape is documented in docs/command-line.md and stable. */
 export function reportJson(report: Report, options: ReportOptions): string {
-  const { triangles, turnedAway, featureSize = null, seconds, stopped } = report;
+  const { triangles, turnedAway, dropped, featureSize = null, seconds, stopped } = report;
   const variables = report.variables.map(({ name, components, extent, constant, bound, error, ratio }) => ({
     name,
     components,
@@ -22,5 +22,5 @@ export function reportJson(report: Report, options: ReportOptions): string {
     error,
     ratio: Number.isFinite(bound) ? ratio : null,
   }));
-  return `${JSON.stringify({ triangles, turnedAway, featureSize, variables, seconds, options, stopped }, undefined, 2)}\n`;
+  return `${JSON.stringify({ triangles, turnedAway, dropped, featureSize, variables, seconds, options, stopped }, undefined, 2)}\n`;
 }

@@ -13,9 +13,11 @@ import {
   Vector3,
   type Vector4,
 } from 'three';
+import type { Frame } from './frame.ts';
 import { type Look, planeInFrame } from './look.ts';
 import { type LookupUniforms, lookupMaterial, type ShownColour } from './lookup-material.ts';
 import type { MorphArrays } from './morph-corners.ts';
+import { Outline } from './outline.ts';
 import type { SurfaceArrays } from './surface-arrays.ts';
 
 /** How places become colours. */
@@ -36,6 +38,9 @@ export interface DrawnEnd {
   places: Float32Array;
 }
 
+/** Lines over a surface: shapes in space, which shine through it, and borders on it. */
+export type OutlineKind = 'shapes' | 'borders';
+
 /** One surface in a scene of its own, with the memory that it holds on the graphics card. */
 export class Surface {
   readonly scene = new Scene();
@@ -54,6 +59,22 @@ export class Surface {
   #material: RawShaderMaterial = lookupMaterial(this.#uniforms);
   #morphing: RawShaderMaterial = lookupMaterial(this.#uniforms, { MORPH: true });
   #mesh: Mesh<BufferGeometry, RawShaderMaterial> | null = null;
+  readonly #outlines = { shapes: new Outline(true), borders: new Outline(false) };
+
+  constructor() {
+    for (const { object } of Object.values(this.#outlines)) this.scene.add(object);
+  }
+
+  /** Replaces lines over it; `segments` in the unit of the mesh, six numbers each. */
+  outline(kind: OutlineKind, segments: Float64Array, frame: Frame): void {
+    this.#outlines[kind].draw(segments, frame);
+    if (kind === 'shapes') return;
+    for (const material of [this.#material, this.#morphing]) {
+      // Surfaces give way to lines on them.
+      material.polygonOffset = segments.length > 0;
+      material.polygonOffsetFactor = material.polygonOffsetUnits = 1;
+    }
+  }
 
   /** Replaces what is drawn; nothing where `arrays` is null. `places` has one number a corner. */
   draw(arrays: SurfaceArrays | null, places: Float32Array): void {
@@ -118,6 +139,7 @@ export class Surface {
     this.#material.dispose();
     this.#morphing.dispose();
     this.#uniforms.map.value?.dispose();
+    for (const outline of Object.values(this.#outlines)) outline.dispose();
   }
 
   #add(geometry: BufferGeometry, material: RawShaderMaterial): void {

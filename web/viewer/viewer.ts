@@ -6,7 +6,7 @@ import type { MorphCorners } from './morph-corners.ts';
 import { type Picked, PickTree } from './pick-tree.ts';
 import { SurfacePreparer } from './prepare.ts';
 import { MorphPreparer, type MorphSource } from './prepare-morph.ts';
-import { type Lookup, Surface } from './surface.ts';
+import { type Lookup, type OutlineKind, Surface } from './surface.ts';
 import type { Triangles } from './surface-arrays.ts';
 
 /** Finer screens gain nothing that can be seen, and cost four times the fragments. */
@@ -128,6 +128,12 @@ export class Viewer extends EventTarget {
   /** How the places of a pane become colours. */
   setLookup(pane: number, lookup: Lookup): void {
     this.#surfaces[pane].lookup = lookup;
+    this.#requestDraw();
+  }
+
+  /** Lines over the surface of a pane; `segments` in the unit of the mesh, six numbers each: the places of their ends. */
+  outline(pane: number, kind: OutlineKind, segments: Float64Array, frame: Frame): void {
+    this.#surfaces[pane].outline(kind, segments, frame);
     this.#requestDraw();
   }
 

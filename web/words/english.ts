@@ -18,6 +18,9 @@ export const english = {
     counted: (after: string, before: string, triangles: string) => `${after} of ${before} ${triangles}.`,
     proved: (bounds: string, used: string) => `Every point within ${bounds}: proved; ${used}.`,
     bound: (bound: string, names: string[]) => `${bound} in ${listed(names)}`,
+    multiplied: ', times the multiplier there',
+    dropped: (count: string, parts: number) =>
+      `${count} small ${parts === 1 ? 'part' : 'parts'} left out: nothing promised of ${parts === 1 ? 'it' : 'them'}.`,
     noError: 'no error at all',
     mostUsed: (name: string, error: string, share: string) => `most used: ${name}, ${error} (${share} of its bound)`,
     atMost: (error: string) => `at most ${error}`,
@@ -200,7 +203,12 @@ export const english = {
 
   method: {
     title: 'Method',
-    now: (errors: string) => `${errors} errors`,
+    now: (errors: string, ticked: string[]) => [`${errors} errors`, ...ticked].join(', '),
+    short: {
+      refusePiercing: 'no piercing',
+      limitToFeatureSize: 'feature size',
+      dropSmallParts: 'small parts dropped',
+    },
     errors: 'Errors',
     keepsSmall: 'Keeps small',
     means: {
@@ -213,6 +221,84 @@ export const english = {
     limitToFeatureSize: 'Limit space to feature size',
     nearParts:
       'Where parts pass near each other: keep them apart exactly, in about half the time more; or limit the bound in space to half their distance.',
+    dropSmallParts: 'Drop parts smaller than the bound',
+    smallParts:
+      'Parts of the surface whose box has a diagonal within the bound in space are left out and counted; the promise is about the rest.',
+  },
+
+  report: {
+    title: 'Report',
+    now: (unusual: string[]) => unusual.join(', ') || 'nothing unusual',
+    unusual: {
+      limited: 'space limited',
+      turnedAway: 'more turned away',
+      turnedRound: 'turned round',
+      oneSided: 'one-sided',
+    },
+    turnedAway: 'Turned away',
+    beforeAndAfter: (before: string, after: string) => `${after} triangles (${before} before)`,
+    orientation: 'Orientation',
+    orientationIs: (turned: string, triangles: number, without: string, parts: number) =>
+      [
+        triangles > 0 ? `${turned} ${triangles === 1 ? 'triangle' : 'triangles'} turned round` : '',
+        parts > 0 ? `${without} ${parts === 1 ? 'part has' : 'parts have'} no two sides` : '',
+      ]
+        .filter(Boolean)
+        .join(', ') || 'the same everywhere',
+    nonManifold: 'Non-manifold vertices',
+    featureSize: 'Feature size',
+    featureSizeIs: (size: string | null, asked: boolean) =>
+      size ? `${size}: space is limited to half of it` : asked ? 'does not limit the bound' : 'not asked for',
+    smallParts: 'Small parts',
+    partsDropped: (count: string, parts: number) => `${count} ${parts === 1 ? 'part' : 'parts'} dropped`,
+    smallPartsAre: (parts: string, triangles: string, asked: boolean) =>
+      asked ? `${parts} dropped (${triangles} triangles)` : 'not dropped',
+  },
+
+  pin: { hint: 'Pin a place on the original first: by a click, or Enter' },
+
+  locks: {
+    title: 'Locks and regions',
+    now: (box: boolean, regions: number, of: string | null) =>
+      [
+        box ? 'a box' : '',
+        regions > 0
+          ? `${regions} ${regions === 1 ? 'region' : 'regions'} of ${of}`
+          : of === null
+            ? ''
+            : `borders of ${of}`,
+      ]
+        .filter(Boolean)
+        .join(', ') || 'none',
+    box: 'Lock what meets a box',
+    boxMeans: 'Every triangle that meets the box stays as it is. The box is drawn on the original.',
+    lowest: 'from',
+    highest: 'to',
+    place: (end: string, axis: string) => `Locked ${end} ${axis}`,
+    aroundPin: 'Around the pinned place',
+    regions: 'Regions from',
+    none: 'none',
+    regionsMean: 'Borders between different labels of the triangles are kept within the bounds, and so are the labels.',
+    lockRegions: 'Locked regions',
+    noRegions: 'This surface has no cell data of whole numbers that could part it into regions.',
+  },
+
+  focus: {
+    title: 'Finer bounds',
+    now: (variable: string | null, factor: string | null) =>
+      [variable ? `× ${variable}` : '', factor ? `× ${factor} near a place` : ''].filter(Boolean).join(', ') ||
+      'the same everywhere',
+    variable: 'Multiply by',
+    nothing: 'nothing',
+    noVariable: 'No variable can multiply the bounds: it needs one component, above zero everywhere.',
+    point: 'Finer near a place',
+    place: 'at',
+    at: (axis: string) => `Place ${axis}`,
+    radius: 'radius',
+    factor: 'times',
+    toPin: 'At the pinned place',
+    means:
+      'At each point of the original every bound is multiplied by what stands there: 0.1 makes it ten times finer, 2 twice as loose. Near a place it is the factor within the radius, and rises to 1 at twice the radius. Errors are then compared with the multiplied bounds.',
   },
 
   levels: {

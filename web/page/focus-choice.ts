@@ -1,0 +1,131 @@
+import { html, LitElement, nothing } from 'lit';
+import { controlsStyle } from '../element/controls-style.ts';
+import type { FocusPoint } from '../session/focus-point.ts';
+import { type Keeping, nothingKept } from '../session/keeping.ts';
+import type { OpenSurface } from '../session/session.ts';
+import { spanOf } from '../surface/value-span.ts';
+import { english } from '../words/english.ts';
+import { choice, tick } from './group-controls.ts';
+import { groupStyle } from './group-style.ts';
+import { numberInput } from './number-input.ts';
+import { placeInSight, proposed } from './proposed-place.ts';
+
+/** Of a focus that is proposed: its radius as a share of the surface's size, and its factor. */
+const proposedRadius = 0.1;
+const proposedFactor = 0.1;
+
+/**
+ * What multiplies the bounds, out of the way until it is opened.
+ *
+ * @fires keeping-change with what of the Keeping is another
+ */
+export class FocusChoice extends LitElement {
+  static override properties = {
+    surface: { attribute: false },
+    keeping: { attribute: false },
+    pinned: { attribute: false },
+  };
+
+  static override styles = [controlsStyle, groupStyle];
+
+  declare surface: OpenSurface | null;
+  declare keeping: Keeping;
+  /** The place on the original that is pinned. */
+  declare pinned: readonly number[] | null;
+
+  #able: { of: OpenSurface; names: string[] } | null = null;
+
+  constructor() {
+    super();
+    this.surface = null;
+    this.keeping = nothingKept;
+    this.pinned = null;
+  }
+
+  override render() {
+    const { focus, focusPoint } = this.keeping;
+    return html`<details @toggle=${() => this.scrollIntoView({ block: 'nearest' })}>
+      <summary>
+        ${english.focus.title}
+        <span class="small soft">${english.focus.now(focus, focusPoint && String(focusPoint.factor))}</span>
+      </summary>
+      ${this.#variable()}
+      ${tick(english.focus.point, focusPoint !== null, (wanted) =>
+        this.#change({ focusPoint: wanted ? this.#proposed() : null }),
+      )}
+      ${focusPoint ? this.#point(focusPoint) : nothing}
+      <p class="small soft">${english.focus.means}</p>
+    </details>`;
+  }
+
+  #variable() {
+    const { focus } = this.keeping;
+    const able = this.#ableNames();
+    const names = focus === null || able.includes(focus) ? able : [focus, ...able];
+    if (names.length === 0) return html`<p class="small soft">${english.focus.noVariable}</p>`;
+    const options = [['', english.focus.nothing], ...names.map((name) => [name, name])];
+    return choice(english.focus.variable, options, focus ?? '', (name) => this.#change({ focus: name || null }));
+  }
+
+  #point(focus: FocusPoint) {
+    const size = this.#size;
+    const place = (axis: number) =>
+      numberInput(english.focus.at('xyz'[axis]), focus.point[axis], size, (value) => {
+        const [x, y, z] = focus.point.map((each, i) => (i === axis ? value : each));
+        return this.#take({ ...focus, point: [x, y, z] });
+      });
+    return html`<div class="places">
+        <span class="small">${english.focus.place}</span>${[0, 1, 2].map(place)}
+        <span class="small">${english.focus.radius}</span>
+        ${numberInput(english.focus.radius, focus.radius, size / 4, (radius) => this.#take({ ...focus, radius }))}
+        <span class="small">${english.focus.factor}</span>
+        ${numberInput(english.focus.factor, focus.factor, 1, (factor) => this.#take({ ...focus, factor }))}
+      </div>
+      <button ?disabled=${!this.pinned} title=${english.pin.hint} @click=${() => this.#toPin(focus)}>
+        ${english.focus.toPin}
+      </button>`;
+  }
+
+  #toPin(focus: FocusPoint): void {
+    const { point } = this.#proposed();
+    this.#change({ focusPoint: { ...focus, point } });
+  }
+
+  #take(focus: FocusPoint): boolean {
+    const { point, radius, factor } = focus;
+    const can = [...point, radius, factor].every(Number.isFinite) && radius > 0 && factor > 0 && factor <= 1;
+    if (can) this.#change({ focusPoint: focus });
+    return can;
+  }
+
+  /** At what is pinned, or else another place of the surface. */
+  #proposed(): FocusPoint {
+    const place = this.pinned ?? (this.surface ? placeInSight(this.surface.mesh) : [0, 0, 0]);
+    const [x, y, z] = place.map(proposed);
+    return { point: [x, y, z], radius: proposed(proposedRadius * this.#size), factor: proposedFactor };
+  }
+
+  /** Of the surface: the diagonal of its box. */
+  get #size(): number {
+    return this.surface?.variables[0].extent || 1;
+  }
+
+  /** Variables that can multiply: of one component, above zero everywhere. */
+  #ableNames(): string[] {
+    const { surface } = this;
+    if (!surface) return [];
+    if (this.#able?.of !== surface) {
+      const able = surface.mesh.variables.filter(
+        (variable) => variable.components === 1 && spanOf(variable).components[0].lowest > 0,
+      );
+      this.#able = { of: surface, names: able.map(({ name }) => name) };
+    }
+    return this.#able.names;
+  }
+
+  #change(detail: Partial<Keeping>): void {
+    this.dispatchEvent(new CustomEvent('keeping-change', { bubbles: true, composed: true, detail }));
+  }
+}
+
+customElements.define('meshbound-focus-choice', FocusChoice);

@@ -1,0 +1,181 @@
+import { css, html, LitElement, nothing } from 'lit';
+import type { Box } from '../../wasm/types.ts';
+import { controlsStyle } from '../element/controls-style.ts';
+import { countText } from '../element/number-text.ts';
+import { type Keeping, nothingKept } from '../session/keeping.ts';
+import type { OpenSurface } from '../session/session.ts';
+import { type ComponentSpan, spanOf } from '../surface/value-span.ts';
+import { english } from '../words/english.ts';
+import { choice, tick } from './group-controls.ts';
+import { groupStyle } from './group-style.ts';
+import { numberInput } from './number-input.ts';
+import { placeInSight, proposed } from './proposed-place.ts';
+
+const axes = [0, 1, 2] as const;
+/** Half the size of a box that is proposed, of that of the surface. */
+const proposedShare = 0.15;
+
+/**
+ * What must stay as it is, and what parts the surface into regions, out of the way until it is opened.
+ *
+ * @fires keeping-change with what of the Keeping is another
+ */
+export class LockChoice extends LitElement {
+  static override properties = {
+    surface: { attribute: false },
+    keeping: { attribute: false },
+    pinned: { attribute: false },
+  };
+
+  static override styles = [
+    controlsStyle,
+    groupStyle,
+    css`
+      fieldset {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 0 16px;
+        max-height: 140px;
+        margin: 6px 0 0;
+        padding: 0 8px 6px;
+        overflow-y: auto;
+        border: 1px solid var(--line);
+        border-radius: var(--radius);
+      }
+      legend {
+        padding: 0 4px;
+      }
+    `,
+  ];
+
+  declare surface: OpenSurface | null;
+  declare keeping: Keeping;
+  /** The place on the original that is pinned. */
+  declare pinned: readonly number[] | null;
+
+  #span: { of: OpenSurface; along: ComponentSpan[] } | null = null;
+  #counted: { of: Int32Array; labels: [label: number, triangles: number][] } | null = null;
+
+  constructor() {
+    super();
+    this.surface = null;
+    this.keeping = nothingKept;
+    this.pinned = null;
+  }
+
+  override render() {
+    const { lockBox, regions, lockRegions } = this.keeping;
+    return html`<details @toggle=${() => this.scrollIntoView({ block: 'nearest' })}>
+      <summary>
+        ${english.locks.title}
+        <span class="small soft">${english.locks.now(lockBox !== null, lockRegions.length, regions)}</span>
+      </summary>
+      ${tick(english.locks.box, lockBox !== null, (wanted) => this.#change({ lockBox: wanted ? this.#proposedBox() : null }))}
+      ${lockBox ? this.#box(lockBox) : nothing}
+      <p class="small soft">${english.locks.boxMeans}</p>
+      ${this.#regions()}
+    </details>`;
+  }
+
+  #box(box: Box) {
+    const row = (end: 'lowest' | 'highest') => html`<span class="small">${english.locks[end]}</span>
+      ${axes.map((axis) =>
+        numberInput(english.locks.place(english.locks[end], 'xyz'[axis]), box[end][axis], this.#size(axis), (value) =>
+          this.#move(box, end, axis, value),
+        ),
+      )}`;
+    return html`<div class="places">${row('lowest')}${row('highest')}</div>
+      <button ?disabled=${!this.pinned} title=${english.pin.hint} @click=${() => this.#change({ lockBox: this.#proposedBox() })}>
+        ${english.locks.aroundPin}
+      </button>`;
+  }
+
+  #regions() {
+    const arrays = [...(this.surface?.regions?.keys() ?? [])];
+    const { regions } = this.keeping;
+    if (arrays.length === 0 && regions === null) return html`<p class="small soft">${english.locks.noRegions}</p>`;
+    const names = regions === null || arrays.includes(regions) ? arrays : [regions, ...arrays];
+    const options = [['', english.locks.none], ...names.map((name) => [name, name])];
+    return html`
+      ${choice(english.locks.regions, options, regions ?? '', (name) => this.#change({ regions: name || null, lockRegions: [] }))}
+      <p class="small soft">${english.locks.regionsMean}</p>
+      ${regions === null ? nothing : this.#labels(regions)}
+    `;
+  }
+
+  #labels(name: string) {
+    const { lockRegions } = this.keeping;
+    const labels = this.#labelsOf(name);
+    if (labels.length === 0) return nothing;
+    return html`<fieldset>
+      <legend class="small">${english.locks.lockRegions}</legend>
+      ${labels.map(
+        ([label, triangles]) =>
+          html`<span title="${countText(triangles)} ${english.triangles(triangles)}"
+            >${tick(String(label), lockRegions.includes(label), (wanted) => this.#lockRegion(label, wanted))}</span
+          >`,
+      )}
+    </fieldset>`;
+  }
+
+  /** The labels of a cell-data array, rising, and how many triangles have each. */
+  #labelsOf(name: string): [label: number, triangles: number][] {
+    const of = this.surface?.regions?.get(name);
+    if (!of) return [];
+    if (this.#counted?.of !== of) {
+      const counts = new Map<number, number>();
+      for (const label of of) counts.set(label, (counts.get(label) ?? 0) + 1);
+      this.#counted = { of, labels: [...counts].sort(([a], [b]) => a - b) };
+    }
+    return this.#counted.labels;
+  }
+
+  #lockRegion(label: number, wanted: boolean): void {
+    const others = this.keeping.lockRegions.filter((each) => each !== label);
+    this.#change({ lockRegions: wanted ? [...others, label].sort((a, b) => a - b) : others });
+  }
+
+  /** Where one end would pass the other, that one goes along, and the box keeps its size. */
+  #move({ lowest, highest }: Box, end: 'lowest' | 'highest', axis: number, value: number): boolean {
+    if (!Number.isFinite(value)) return false;
+    const box: Box = { lowest: [...lowest], highest: [...highest] };
+    const size = highest[axis] - lowest[axis];
+    box[end][axis] = value;
+    if (box.lowest[axis] > box.highest[axis]) {
+      const other = end === 'lowest' ? 'highest' : 'lowest';
+      box[other][axis] = proposed(end === 'lowest' ? value + size : value - size);
+    }
+    this.#change({ lockBox: box });
+    return true;
+  }
+
+  /** Around what is pinned, or else another place of the surface. */
+  #proposedBox(): Box {
+    const half = proposedShare * Math.max(...axes.map((axis) => this.#size(axis)));
+    const middle = this.pinned ?? (this.surface ? placeInSight(this.surface.mesh) : [0, 0, 0]);
+    const [x, y, z] = middle.map((place) => proposed(place - half));
+    const [right, top, front] = middle.map((place) => proposed(place + half));
+    return { lowest: [x, y, z], highest: [right, top, front] };
+  }
+
+  #size(axis: number): number {
+    const { lowest, highest } = this.#along(axis);
+    return highest - lowest;
+  }
+
+  #along(axis: number): ComponentSpan {
+    const { surface } = this;
+    if (!surface) return { lowest: 0, highest: 1 };
+    if (this.#span?.of !== surface) {
+      const position = { name: 'position', components: 3, values: surface.mesh.position };
+      this.#span = { of: surface, along: spanOf(position).components };
+    }
+    return this.#span.along[axis];
+  }
+
+  #change(detail: Partial<Keeping>): void {
+    this.dispatchEvent(new CustomEvent('keeping-change', { bubbles: true, composed: true, detail }));
+  }
+}
+
+customElements.define('meshbound-lock-choice', LockChoice);
