@@ -69,6 +69,81 @@ test('what attributes say, properties say too, and the view shows', async ({ pag
   await expect(byProperty.locator('.sentence')).toHaveCount(1);
 });
 
+/** Attributes of what is kept, and what they make of the reduction. */
+const keptAttributes: [attribute: string, property: string, value: string, says: RegExp][] = [
+  ['lock-box', 'lockBox', '0,-30,-30,30,30,30', /proved/],
+  ['focus-variable', 'focusVariable', 'temperature', /times the multiplier there: proved/],
+  ['focus-point', 'focusPoint', '0,0,0,20,0.2', /times the multiplier there: proved/],
+];
+
+test('what is kept is said by attributes or properties, and is in the state', async ({ page }) => {
+  await openOwnPage(page, usual + usual);
+  const [byAttribute, byProperty] = [0, 1].map((index) => page.locator('meshbound-viewer').nth(index));
+  for (const viewer of [byAttribute, byProperty]) await reduced(viewer);
+  for (const [attribute, property, value, says] of keptAttributes) {
+    const before = await byAttribute.locator('.sentence').innerText();
+    await byAttribute.evaluate((viewer, [name, text]) => viewer.setAttribute(name, text), [attribute, value]);
+    await byProperty.evaluate((viewer, [name, text]) => Object.assign(viewer, { [name]: text }), [property, value]);
+    await expect(byAttribute.locator('.sentence')).not.toHaveText(before);
+    await expect(byAttribute.locator('.sentence')).toHaveText(says);
+    await expect(byProperty.locator('.sentence')).toHaveText(await byAttribute.locator('.sentence').innerText());
+  }
+  const state = await byAttribute.evaluate((viewer: Viewer) => viewer.state);
+  expect(state).toMatchObject(Object.fromEntries(keptAttributes.map(([attribute, , value]) => [attribute, value])));
+  const first = await byProperty.evaluate(async (viewer: Viewer) => {
+    viewer.state = {};
+    await viewer.updateComplete;
+    return viewer.state;
+  });
+  for (const [attribute] of keptAttributes) expect(first).not.toHaveProperty(attribute);
+  await expect(byProperty.locator('.sentence')).not.toContainText('multiplier');
+});
+
+test('what cannot be kept is said, and what was shown stays', async ({ page }) => {
+  await openOwnPage(page, usual);
+  const viewer = page.locator('meshbound-viewer');
+  await reduced(viewer);
+  const before = await viewer.locator('.sentence').innerText();
+  await viewer.evaluate((element: Viewer) => {
+    const codes: string[] = [];
+    element.addEventListener('error', (event) => codes.push((event as unknown as CustomEvent).detail.code));
+    Object.assign(window, { codes });
+  });
+  for (const [attribute, value, says] of [
+    ['lock-box', '1,2,3', /lock-box cannot be “1,2,3”: a box has six numbers/],
+    ['focus-point', '0,0,0,1,7', /factor of a focus must be above zero and at most 1/],
+    ['lock-regions', 'all', /“all” is not the number of a region/],
+    ['regions', 'material', /no cell data “material” to part it into regions; it has none/],
+    ['focus-variable', 'vx', /"vx", which multiplies the bounds, is not above zero/],
+    ['focus-variable', 'wind', /multiplied by "wind", but there is no such variable/],
+  ] as const) {
+    await viewer.evaluate((element, [name, text]) => element.setAttribute(name, text), [attribute, value]);
+    await expect(viewer.getByRole('alert').filter({ hasText: says })).toBeVisible();
+    await viewer.evaluate((element, name) => element.removeAttribute(name), attribute);
+    await expect(viewer.locator('.sentence')).toHaveText(before);
+  }
+  const codes = await page.evaluate(() => (window as unknown as { codes: string[] }).codes);
+  expect(codes).toEqual(expect.arrayContaining(['unknown_regions', 'bad_option', 'unknown_variable']));
+});
+
+test('tells where a place of the original is pinned', async ({ page }) => {
+  await openOwnPage(page, usual);
+  const viewer = page.locator('meshbound-viewer');
+  await reduced(viewer);
+  await viewer.evaluate((element: Viewer) => {
+    const told: unknown[] = [];
+    element.addEventListener('pin', (event) => told.push((event as CustomEvent).detail.place));
+    Object.assign(window, { told });
+  });
+  const told = () => page.evaluate(() => (window as unknown as { told: (number[] | null)[] }).told);
+  await viewer.locator('#original').press('Enter');
+  await expect.poll(told).toHaveLength(1);
+  expect((await told())[0]).toHaveLength(3);
+  await viewer.locator('#original').press('Escape');
+  await expect.poll(told).toHaveLength(2);
+  expect((await told())[1]).toBe(null);
+});
+
 test('as a morph it shows the reduced surface alone, in levels of detail with a slider', async ({ page }) => {
   await openOwnPage(page, usual.replace('controls', 'controls view="morph"'));
   const viewer = page.locator('meshbound-viewer');

@@ -80,6 +80,21 @@ describe('the promise', () => {
     expect(propagated).toContain('within 3 % in a: proved; most used: a, at most 1.5 % (50 % of its bound).');
   });
 
+  test('says of bounds that are multiplied that they are, and where the share is', () => {
+    const multiplied = plain(promiseSentence(report([variable('a', 0.03, 0.5)]), true, true));
+    expect(multiplied).toContain(
+      'within 3 % in a, times the multiplier there: proved; most used: a, 50 % of its bound there; its largest error is 1.5 %.',
+    );
+  });
+
+  test('promises nothing of parts that were left out, and counts them', () => {
+    const all = report([variable('a', 0.03, 0.5)]);
+    const dropped = (parts: number) => plain(promiseSentence({ ...all, dropped: { parts, triangles: 9 } }, true));
+    expect(dropped(0)).not.toContain('left out');
+    expect(dropped(1)).toMatch(/ 1 small part left out: nothing promised of it\.$/);
+    expect(dropped(3)).toMatch(/ 3 small parts left out: nothing promised of them\.$/);
+  });
+
   test('proves nothing where everything is free', () => {
     expect(sentence([free('position'), free('a')])).not.toContain('proved');
   });

@@ -37,7 +37,7 @@ export function promiseSentence(report: Report, measured: boolean, multiplied = 
   const freed = `${free.length > 0 ? ` ${words.free(free)}` : ''}${left}`;
   const bounds = `${boundsPhrase(bounded)}${multiplied ? words.multiplied : ''}`;
   if (bounded.length === 0) return `${counted}${freed}`;
-  return `${counted} ${words.proved(bounds, mostUsed(bounded, measured))}${freed}`;
+  return `${counted} ${words.proved(bounds, mostUsed(bounded, measured, multiplied))}${freed}`;
 }
 
 /** "1 % in space, 3 % in pressure and density": variables with the same bound stand together, in their order. */
@@ -50,11 +50,12 @@ function boundsPhrase(bounded: VariableReport[]): string {
   return [...together].map(([bound, names]) => words.bound(bound, names)).join(', ');
 }
 
-function mostUsed(bounded: VariableReport[], measured: boolean): string {
+function mostUsed(bounded: VariableReport[], measured: boolean, multiplied: boolean): string {
   const most = bounded.reduce((best, next) => (next.ratio > best.ratio ? next : best));
   if (most.ratio === 0) return words.noError;
   const error = shareText(most.error, most);
-  return words.mostUsed(placeName(most), measured ? error : words.atMost(error), lowerPercentText(most.ratio));
+  const say = multiplied ? words.mostUsedThere : words.mostUsed;
+  return say(placeName(most), measured ? error : words.atMost(error), lowerPercentText(most.ratio));
 }
 
 /** Why vertices that are still there could not go, as a share of them all, 0…1. */

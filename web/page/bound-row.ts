@@ -21,6 +21,7 @@ export class BoundRow extends LitElement {
     setting: { attribute: false },
     reached: { attribute: false },
     measured: { type: Boolean },
+    multiplied: { type: Boolean },
   };
 
   static override styles = [
@@ -82,6 +83,8 @@ export class BoundRow extends LitElement {
   declare reached: VariableReport | null;
   /** Whether the error reached was measured; otherwise it is a limit from above. */
   declare measured: boolean;
+  /** Whether what differs over the surface multiplies it. */
+  declare multiplied: boolean;
 
   override render() {
     const { name } = this.variable;
@@ -105,7 +108,7 @@ export class BoundRow extends LitElement {
         <label>
           <input type="checkbox" aria-label=${english.bounds.isBounded(name)} .checked=${live(!free)} @change=${this.#toggle} />
           <span>
-            ${free ? english.bounds.bounded : english.bounds.by(absolute === undefined ? bound : percentText(fraction))}
+            ${free ? english.bounds.bounded : english.bounds.by(absolute === undefined ? bound : percentText(fraction), this.multiplied)}
           </span>
         </label>
         ${this.#reached()}

@@ -4,7 +4,7 @@ import type { Report, VariableExtent } from '../../wasm/index.ts';
 import { type BoundSetting, type BoundSettings, largestFraction, parsePercent } from '../session/bound-setting.ts';
 import { type Bounds, readBounds } from '../session/bound-text.ts';
 import type { CurvePoint } from '../session/bounds-curve.ts';
-import { type Keeping, nothingKept } from '../session/keeping.ts';
+import { isMultiplied, type Keeping, nothingKept } from '../session/keeping.ts';
 import type { Method } from '../session/method.ts';
 import type { OpenSurface } from '../session/session.ts';
 import './bound-row.ts';
@@ -237,6 +237,7 @@ export class BoundsPanel extends LitElement {
         .setting=${this.bounds[variable.name]}
         .reached=${this.report?.variables[index] ?? null}
         .measured=${this.measured}
+        .multiplied=${isMultiplied(this.keeping)}
         @worst-wanted=${() => this.dispatchEvent(new CustomEvent('worst-wanted', { detail: variable.name }))}
         @bound-change=${({ detail }: CustomEvent<BoundSetting>) =>
           this.#change({ variable: variable.name, setting: detail })}

@@ -19,8 +19,12 @@ export const groupStyle = css`
   label.tick {
     justify-content: start;
   }
+  label > span {
+    white-space: nowrap;
+  }
   select {
     width: 198px;
+    min-width: 0;
   }
   p {
     margin-top: 6px;

@@ -27,6 +27,11 @@ export function sameKeeping(one: Keeping, other: Keeping): boolean {
   return JSON.stringify(one) === JSON.stringify(other);
 }
 
+/** Whether bounds differ over the surface. */
+export function isMultiplied({ focus, focusPoint }: Keeping): boolean {
+  return focus !== null || focusPoint !== null;
+}
+
 /** Labels of regions as people write them, `1,2,5`. Throws an Error whose message is a sentence for people. */
 export function readLabels(text: string): number[] {
   const words = text.split(/[\s,;]+/).filter((word) => word !== '');

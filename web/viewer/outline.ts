@@ -11,8 +11,8 @@ import type { Frame } from './frame.ts';
 /** Of a dash and of the gap behind it, in radii of the frame. */
 const dash = 0.02;
 
-/** What surfaces hide of an outline is drawn so faint. */
-const hiddenOpacity = 0.3;
+/** What surfaces hide of an outline is drawn so faint, in grey. */
+const hiddenOpacity = 0.6;
 
 type Place = readonly [number, number, number];
 
@@ -51,7 +51,7 @@ export class Outline {
   constructor(shining: boolean) {
     if (shining) {
       this.#materials.push(
-        new LineBasicMaterial({ color: 0, depthTest: false, transparent: true, opacity: hiddenOpacity }),
+        new LineBasicMaterial({ color: 0x808080, depthTest: false, transparent: true, opacity: hiddenOpacity }),
       );
     }
     this.object.visible = false;

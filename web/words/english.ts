@@ -23,6 +23,8 @@ export const english = {
       `${count} small ${parts === 1 ? 'part' : 'parts'} left out: nothing promised of ${parts === 1 ? 'it' : 'them'}.`,
     noError: 'no error at all',
     mostUsed: (name: string, error: string, share: string) => `most used: ${name}, ${error} (${share} of its bound)`,
+    mostUsedThere: (name: string, error: string, share: string) =>
+      `most used: ${name}, ${share} of its bound there; its largest error is ${error}`,
     atMost: (error: string) => `at most ${error}`,
     free: (names: string[]) => `Free, so nothing promised: ${listed(names)}.`,
   },
@@ -164,7 +166,7 @@ export const english = {
     stated: (name: string) => `How the bound of ${name} is stated`,
     bounded: 'bounded',
     isBounded: (name: string) => `${name} bounded`,
-    by: (bound: string) => `bounded by ${bound}`,
+    by: (bound: string, multiplied: boolean) => `bounded by ${bound}${multiplied ? ', multiplied' : ''}`,
     constant: 'constant',
     constantHint: 'Its values differ by rounding only: the percentage is of their magnitude.',
     error: 'error',
