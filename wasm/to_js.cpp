@@ -168,6 +168,12 @@ val refusals_to(const Refusals& refused) {
                   field("fold", number(refused.fold)), field("piercing", number(refused.piercing)));
 }
 
+val region_report_to(const RegionReport& region) {
+    return object(field("label", region.label),
+                  field("triangles", before_after(region.triangles_before, region.triangles_after)),
+                  field("area", object(field("before", region.area_before), field("after", region.area_after))));
+}
+
 std::string stopped_name(Stopped stopped) { return stopped == Stopped::cancelled ? "cancelled" : "finished"; }
 
 val report_to(const Report& report, double seconds) {
@@ -177,6 +183,7 @@ val report_to(const Report& report, double seconds) {
                         field("refused", refusals_to(report.refused)), field("oddities", oddities_to(report.oddities)),
                         field("dropped", object(field("parts", number(report.dropped.parts)),
                                                 field("triangles", number(report.dropped.triangles)))),
+                        field("regions", list_to(report.regions, region_report_to)),
                         field("turnedAway", before_after(report.turned_before, report.turned_after)),
                         field("nonManifoldVertices", number(report.non_manifold_vertices)),
                         field("cells", number(report.cells)), field("foldedCells", number(report.folded_cells)),

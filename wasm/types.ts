@@ -101,6 +101,14 @@ export interface VariableReport {
   refused: number;
 }
 
+/** How much there is of a region, see `Mesh.regions`; one without triangles has vanished. */
+export interface RegionReport {
+  label: number;
+  triangles: { before: number; after: number };
+  /** In the unit of position, squared. */
+  area: { before: number; after: number };
+}
+
 export interface Report {
   triangles: { before: number; after: number };
   vertices: { before: number; after: number };
@@ -119,6 +127,8 @@ export interface Report {
   };
   /** Parts of the surface that were left out, see `ReduceOptions.dropSmallParts`. */
   dropped: { parts: number; triangles: number };
+  /** By rising labels; empty where triangles have none. */
+  regions: RegionReport[];
   /** The smallest distance between two lobes, where it limited the bound of position (see `limitToFeatureSize`). */
   featureSize?: number;
   /** Triangles that turn more than a right angle against the original between their corners. */

@@ -11,6 +11,7 @@
 #include "oriented_segmentation.hpp"
 #include "propagation.hpp"
 #include "reduction_output.hpp"
+#include "region_report.hpp"
 #include "seams.hpp"
 #include "sweep.hpp"
 #include "tracking.hpp"
@@ -82,6 +83,7 @@ Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, 
     if (ticker_.cancelled()) report_cancelled(reduction);
     reduction.report.triangles_after = reduction.mesh.triangles.size();
     reduction.report.vertices_after = reduction.vertices.size();
+    if (!mesh_.regions.empty()) reduction.report.regions = report_regions(mesh_, reduction.mesh);
     return reduction;
 }
 

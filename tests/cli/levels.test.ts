@@ -62,6 +62,12 @@ test('the report has an entry of the usual shape for each level', async () => {
     cost: 'introduced',
     refusePiercing: false,
     limitToFeatureSize: false,
+    dropSmallParts: false,
+    focus: null,
+    region: null,
+    lockPoints: [],
+    lockRegions: [],
+    lockBoxes: [],
   });
   for (const level of report.levels) {
     expect(Object.keys(level)).toEqual([
@@ -71,6 +77,8 @@ test('the report has an entry of the usual shape for each level', async () => {
       'dropped',
       'featureSize',
       'variables',
+      'regions',
+      'vanishedRegions',
       'seconds',
       'options',
       'stopped',

@@ -69,6 +69,8 @@ test('the report has the documented shape', async () => {
     turnedAway: { before: number, after: number },
     dropped: { parts: 0, triangles: 0 },
     featureSize: null,
+    regions: [],
+    vanishedRegions: [],
     variables: [
       variable('position', 3, number, number),
       variable('pressure', 1, number, number),
@@ -82,6 +84,12 @@ test('the report has the documented shape', async () => {
       cost: 'introduced',
       refusePiercing: false,
       limitToFeatureSize: false,
+      dropSmallParts: false,
+      focus: null,
+      region: null,
+      lockPoints: [],
+      lockRegions: [],
+      lockBoxes: [],
     },
     stopped: 'finished',
   });
@@ -298,15 +306,10 @@ test('what is written for people puts neither a bound nor an error below what it
   const report = {
     triangles: { before: 9, after: 3 },
     variables: [{ ...reached, bound: 2437.401, error: 2437.4, ratio: 0.9999996 }],
+    regions: [],
     seconds: 1,
   } as unknown as Report;
-  const text = reportText(report, {
-    bounds: { p: { relative: 0.03 } },
-    errors: 'tracked',
-    cost: 'introduced',
-    refusePiercing: false,
-    limitToFeatureSize: false,
-  });
+  const text = reportText(report, { bounds: { p: { relative: 0.03 } } });
   expect(text).toMatch(/p +2438 +3 % +2438 +1$/);
 });
 
@@ -383,12 +386,64 @@ test('cell data part the surface into regions, which keep their borders and thei
     }
   });
   expect(labels?.length).toBeLessThan(regions.length / 2);
+  // In other formats, and with the map, under the name that they came with.
+  for (const name of ['out.vtk', 'out.ply']) {
+    await folder.run('reduce', 'regions.vtp', '-o', name, '-b', '*=8%', '--region', 'regions');
+    expect((await folder.read(name)).regions).toEqual(new Map([['regions', labels]]));
+    const args = ['-b', '*=9%', '--region', 'regions', '--map', 'map.vtp'];
+    expect(await folder.run('reduce', name, '-o', 'again.vtp', ...args)).toMatchObject({ status: 0, stderr: '' });
+    expect((await folder.read('map.vtp')).regions).toEqual(new Map([['regions', labels]]));
+  }
   const converted = await folder.run('convert', 'regions.vtp', 'converted.vtp');
   expect(converted.stderr).toContain('Not carried: cell data “regions”.');
   const missing = await run('--region', 'part');
   expect(missing.stderr).toContain(
     'there is no cell data “part” to part it into regions; those of whole numbers are “regions”.',
   );
+});
+
+test('the report and the summary tell how much of each region is left', async () => {
+  const half = original.triangles.length / 6;
+  const regions = Int32Array.from({ length: 2 * half + 1 }, (_, triangle) =>
+    triangle === 2 * half ? 12 : triangle % 32 < 16 ? 7 : -3,
+  );
+  const position = Float32Array.from([...original.position, 3, 0, 0, 3.001, 0, 0, 3, 0.001, 0]);
+  const points = original.position.length / 3;
+  const triangles = Uint32Array.from([...original.triangles, points, points + 1, points + 2]);
+  await folder.save('parted.vtp', { position, triangles, variables: [], regions });
+  const args = ['-b', 'position=5%', '--region', 'regions', '--drop-small', '--lock-box', '0,0,-1,0.1,0.1,1'];
+  const more = ['--lock-points', '3,9-11', '--lock-region=-3', '--report', 'report.json'];
+  const { stdout, status } = await folder.run('reduce', 'parted.vtp', '-o', 'out.vtp', ...args, ...more);
+  expect(status).toBe(0);
+  const report = JSON.parse(folder.text('report.json'));
+  expect(report.regions.map(({ label }: { label: number }) => label)).toEqual([-3, 7, 12]);
+  const [locked, other, crumb] = report.regions;
+  expect(locked).toEqual({
+    label: -3,
+    triangles: { before: half, after: half },
+    area: { before: locked.area.before, after: locked.area.before },
+  });
+  expect(locked.area.before).toBeGreaterThan(0.5); // half of a plate with bumps
+  expect(other.triangles.after).toBeLessThan(half / 2);
+  expect(other.area.after).toBeGreaterThan(0.49);
+  expect(other.area.after).toBeLessThan(other.area.before);
+  expect(crumb).toEqual({
+    label: 12,
+    triangles: { before: 1, after: 0 },
+    area: { before: expect.closeTo(5e-7, 9), after: 0 },
+  });
+  expect(report).toMatchObject({ vanishedRegions: [12], dropped: { parts: 1, triangles: 1 } });
+  expect(report.options).toMatchObject({
+    dropSmallParts: true,
+    focus: null,
+    region: 'regions',
+    lockPoints: ['3,9-11'],
+    lockRegions: [-3],
+    lockBoxes: [{ lowest: [0, 0, -1], highest: [0.1, 0.1, 1] }],
+  });
+  expect(stdout).toMatch(/^ {2}-3 +256 +256 +0\.\d+ +0\.\d+ +0 %$/m);
+  expect(stdout).toMatch(/^ {2}12 +1 +0 +\S+ +0 +-100 %$/m);
+  expect(stdout).toContain('1 region vanished: 12.');
 });
 
 test('cell data of a legacy VTK file part the surface into regions, too', async () => {
@@ -409,6 +464,8 @@ test('cell data of a legacy VTK file part the surface into regions, too', async 
   expect(await run('--region', 'part')).toMatchObject({ status: 0 });
   const { mesh, regions } = await folder.read('out.vtp');
   const labels = [...(regions?.get('part') ?? [])];
+  await run('--region', 'part', '--map', 'map.vtk');
+  expect([...((await folder.read('map.vtk')).regions?.keys() ?? [])]).toEqual(['part']);
   expect(new Set(labels)).toEqual(new Set([7, -3]));
   expect(labels.length).toBeLessThan(cells.length / 2);
   for (const [triangle, label] of labels.entries()) {

@@ -11,6 +11,7 @@
 #include "meshes/gallery.hpp"
 #include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
+#include "meshes/variations.hpp"
 #include "modes.hpp"
 #include "promise.hpp"
 
@@ -153,6 +154,40 @@ TEST_P(ReportTest, CountsFixedVertices) {
     EXPECT_EQ(report.non_manifold_vertices, 7U);
     EXPECT_EQ(report.refused.fixed, 2U) << "the ends of the line in which they meet";
     expect_every_vertex_has_its_reason(report);
+}
+
+TEST_P(ReportTest, SaysHowMuchOfEachRegionIsLeft) {
+    // Two squares of labels 5 and -2 on a plane, and a crumb of label 9, which may go.
+    const Mesh plane = meshes::plane(8, 8, 2, 1);
+    const std::size_t on_plane = plane.triangles.size();
+    for (const double unit : {1.0, 0x1p-400, 0x1p400}) {
+        Mesh mesh =
+            meshes::mapped(meshes::joined(plane, meshes::mapped(meshes::plane(1, 1, 1e-3, 1e-3),
+                                                                [](glm::dvec3 p) { return p + glm::dvec3(0, 0, 1); })),
+                           [unit](glm::dvec3 p) { return unit * p; });
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            double x = 0;
+            for (int i = 0; i < 3; ++i) x += meshes::point(mesh, mesh.triangles[t][i]).x / unit / 3;
+            mesh.regions.push_back(t >= on_plane ? 9 : x < 1 ? 5 : -2);
+        }
+        Options options = GetParam().options();
+        options.drop_small_parts = true;
+        const Report report = promise::reduced(mesh, {{"position", relative(0.01)}}, options).report;
+        ASSERT_EQ(report.regions.size(), 3U);
+        const RegionReport &right = report.regions[0], &left = report.regions[1], &crumb = report.regions[2];
+        EXPECT_EQ(std::vector({right.label, left.label, crumb.label}), std::vector({-2, 5, 9}));
+        for (const RegionReport& half : {right, left}) {
+            EXPECT_EQ(half.triangles_before, on_plane / 2);
+            EXPECT_EQ(half.triangles_after, 2U);
+            EXPECT_EQ(half.area_before / unit / unit, 1);
+            EXPECT_EQ(half.area_after / unit / unit, 1);
+        }
+        EXPECT_EQ(crumb.triangles_before, 2U);
+        EXPECT_EQ(crumb.triangles_after, 0U);
+        EXPECT_NEAR(crumb.area_before / unit / unit, 1e-6, 1e-12);
+        EXPECT_EQ(crumb.area_after, 0);
+    }
+    EXPECT_TRUE(reduce(plane).report.regions.empty());
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { readSurface } from '../../web/formats/read.ts';
+import { lossesOf } from '../../web/formats/write.ts';
 import { expectFault } from './faults.ts';
-import { bytesOf } from './sample-mesh.ts';
+import { plyFile, plyOrders, square } from './ply-file.ts';
+import { bytesOf, smallMesh } from './sample-mesh.ts';
 
 const vtpTypes = { int: 'Int32', long: 'Int64', float: 'Float32' };
 
@@ -76,4 +78,44 @@ it('cell data of a legacy VTK file for more cells than there are are no labels',
   const { regions, summary } = await readSurface('', bytesOf(legacyVtk({ values: [9, 1, -2, 4] })));
   expect(regions?.size).toBe(0);
   expect(summary).toContain('Not carried: cell data “part”; 1 line.');
+});
+
+describe.each(plyOrders)('face properties of whole numbers, PLY, %s', (order) => {
+  const properties = [
+    'char part',
+    'list uchar int vertex_indices',
+    'uchar red',
+    'uchar green',
+    'uchar blue',
+    'float heat',
+  ];
+  const read = (heat: number, more: Parameters<typeof plyFile>[1] = []) => {
+    const rows = [
+      [-3, [0, 1, 2, 3], 1, 2, 3, heat],
+      [5, [0, 1, 2], 4, 5, 6, 0],
+    ];
+    return readSurface('', plyFile(order, [square, { name: 'face', properties, rows }, ...more]));
+  };
+
+  it('are labels of the triangles that the faces are split into; colours and fractions are none', async () => {
+    const { regions, notes } = await read(0.5);
+    expect(regions).toEqual(new Map([['part', Int32Array.of(-3, -3, 5)]]));
+    expect(notes).toContain('Not carried: the face properties “red”, “green”, “blue”, “heat”.');
+    expect(notes).toContain('Not carried: cell data “part”.');
+    expect([...((await read(8)).regions?.keys() ?? [])]).toEqual(['part', 'heat']);
+  });
+
+  it('are none beside strips, whose triangles have no faces', async () => {
+    const strips = { name: 'tristrips', properties: ['list int int vertex_indices'], rows: [[[0, 1, 2, -1]]] };
+    const { regions, notes } = await read(0.5, [strips]);
+    expect(regions?.size).toBe(0);
+    expect(notes.join()).toContain('the face properties “red”, “green”, “blue”, “part”, “heat”');
+  });
+});
+
+it('a format without a place for labels of triangles says so', async () => {
+  const mesh = { ...smallMesh(), regions: Int32Array.of(1, 2, 3) };
+  for (const format of ['vtp', 'vtk', 'ply'] as const) expect(await lossesOf(format, mesh)).toEqual([]);
+  expect(await lossesOf('obj', mesh)).toEqual(['OBJ has no place for the regions.']);
+  expect((await lossesOf('glb', mesh)).join()).toContain('has no place for the regions.');
 });

@@ -83,6 +83,17 @@ describe.each(ways)('%s', (_, format, options) => {
     expect({ ...back.componentNames }).toEqual(labels.componentNames);
   });
 
+  it.each(['regions', 'part id', 'vertex_indices', 'Größe', 'pressure', '__proto__'])(
+    'gives labels of triangles back, called %s',
+    async (regionName) => {
+      const regions = Int32Array.of(7, -(2 ** 31) + 1, 0);
+      const mesh = { ...smallMesh(mixedVariables()), regions };
+      const back = await readSurface('', await writeSurface(format, mesh, { ...options, regionName }));
+      expect(fingerprint(back.mesh)).toEqual(fingerprint(mesh));
+      expect(back.regions).toEqual(new Map([[regionName, regions]]));
+    },
+  );
+
   it('gives any mesh back bit for bit', async () => {
     const property = fc.asyncProperty(meshes, async (mesh) => {
       const back = await readSurface('', await writeSurface(format, mesh, options));

@@ -2,6 +2,7 @@ import type { Report } from '../../wasm/index.ts';
 import { counted, grouped } from '../formats/wording.ts';
 import { type ReportOptions, reportJson } from '../session/report-json.ts';
 import type { Bounds } from './bound-arguments.ts';
+import { regionLines } from './region-text.ts';
 import { numberText, roundedUpText, textTable } from './text-table.ts';
 
 /** A level with the file that holds it. */
@@ -38,5 +39,6 @@ export function levelsText(levels: LevelReport[]): string {
   return [
     `${counted(before, 'triangle')} -> ${counted(levels.length, 'level')} in ${first.seconds.toFixed(2)} s`,
     textTable([['level', 'triangles', 'removed', 'position error', 'most of a bound used'], ...rows]),
+    ...regionLines(first.regions.length > 0 ? levels[levels.length - 1].report.regions : []),
   ].join('\n');
 }

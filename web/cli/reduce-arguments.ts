@@ -24,8 +24,9 @@ Options:
                           propagated: added up from removal to removal, as in the paper; more triangles stay
   --cost WHAT             with propagated errors, what the choice among retriangulations makes small:
                           introduced (default): the error of this removal; max: the error so far
-  --region NAME           cell data of IN (whole numbers, .vtp, .vtk) that part the surface into regions: their borders are
-                          kept within the bounds, each side keeps its number; written with a .vtp
+  --region NAME           cell data of IN (whole numbers; of .ply a property of the faces) that part the surface into
+                          regions: their borders are kept within the bounds, each side keeps its number; written
+                          to .vtp, .vtk and .ply
   --refuse-piercing       let no part of the surface pierce another that passes near; takes about half as long again
   --limit-to-feature-size limit the bound of position to half the distance of the nearest parts that face each other
   --focus NAME            a variable of one component, above zero, that multiplies every bound: finer where it is small
@@ -102,6 +103,14 @@ export function parseRequest(args: string[]): Request {
   const cost = oneOf('--cost', values.cost, ['max', 'introduced']);
   const levels = values.levels === undefined ? undefined : parseLevels(values.levels, values.bound);
   for (const path of [values.output, values.map]) if (path) outputFormat(path);
+  const keeping = {
+    region: values.region,
+    focus: values.focus,
+    dropSmallParts: values['drop-small'],
+    points: Uint32Array.from(values['lock-points'].flatMap(parsePoints)),
+    lockedRegions: Int32Array.from(values['lock-region'].map(parseLabel)),
+    lockedBoxes: values['lock-box'].map(parseBox),
+  };
   return {
     input: positionals[0],
     output: values.output,
@@ -113,17 +122,16 @@ export function parseRequest(args: string[]): Request {
       cost,
       refusePiercing: values['refuse-piercing'],
       limitToFeatureSize: values['limit-to-feature-size'],
+      dropSmallParts: keeping.dropSmallParts,
+      focus: keeping.focus ?? null,
+      region: keeping.region ?? null,
+      lockPoints: values['lock-points'],
+      lockRegions: [...keeping.lockedRegions],
+      lockBoxes: keeping.lockedBoxes,
     },
     levels,
     outputs: levels ? levelPaths(values.output, levels.length) : [values.output],
-    keeping: {
-      region: values.region,
-      focus: values.focus,
-      dropSmallParts: values['drop-small'],
-      points: Uint32Array.from(values['lock-points'].flatMap(parsePoints)),
-      lockedRegions: Int32Array.from(values['lock-region'].map(parseLabel)),
-      lockedBoxes: values['lock-box'].map(parseBox),
-    },
+    keeping,
     map: values.map,
     report: values.report,
     quiet: values.quiet,

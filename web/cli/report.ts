@@ -2,12 +2,13 @@ import type { Report } from '../../wasm/index.ts';
 import { counted, grouped, listed } from '../formats/wording.ts';
 import type { ReportOptions } from '../session/report-json.ts';
 import { boundOf } from './bound-arguments.ts';
+import { regionLines } from './region-text.ts';
 import { numberText, roundedUpText, textTable } from './text-table.ts';
 
 /** The same for people. */
 export function reportText(
-  { triangles: { before, after }, variables, seconds }: Report,
-  { bounds }: ReportOptions,
+  { triangles: { before, after }, variables, regions, seconds }: Report,
+  { bounds }: Pick<ReportOptions, 'bounds'>,
 ): string {
   const removed = numberText((100 * (before - after)) / before);
   const rows = variables.map(({ name, constant, bound, error, ratio }) => {
@@ -20,6 +21,7 @@ export function reportText(
   return [
     `${grouped(before)} -> ${counted(after, 'triangle')} (${removed} % removed) in ${seconds.toFixed(2)} s`,
     textTable([['variable', 'bound', '', 'error', 'error/bound'], ...rows]),
+    ...regionLines(regions),
   ].join('\n');
 }
 

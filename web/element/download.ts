@@ -9,7 +9,6 @@ import { reportJson } from '../session/report-json.ts';
 import type { OpenSurface, Reduced } from '../session/session.ts';
 import { english } from '../words/english.ts';
 import { savedFileName } from './file-name.ts';
-import { keepingText } from './keeping-attributes.ts';
 
 /** What can be saved of a reduction: the surface in each format, the report, the original with the map, all levels of detail. */
 export const savedKinds = [...(Object.keys(formatNames) as Format[]), 'report', 'map', 'levels'] as const;
@@ -46,7 +45,9 @@ export async function savedFile(
 
 function reportOf({ result, bounds, method, keeping }: Reduced): string {
   const cost = method.cost === 'maximum' ? 'max' : 'introduced';
-  return reportJson(result.report, { ...method, ...keepingText(keeping), bounds: asBounds(bounds), cost });
+  const { regions: region, lockBox, lockRegions, focus, focusPoint } = keeping;
+  const kept = { region, lockRegions, lockBoxes: lockBox ? [lockBox] : [], lockPoints: [], focus, focusPoint };
+  return reportJson(result.report, { ...method, ...kept, bounds: asBounds(bounds), cost });
 }
 
 /** As one GLB file, which holds all of them. */

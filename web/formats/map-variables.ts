@@ -46,10 +46,10 @@ export function withMap(original: Mesh, { map, vertexErrors }: Reduction): Mesh 
 }
 
 /** The labels of the original with those of what withMap adds: errors have the unit of their variable. */
-export function labelsWithMap({ units, componentNames }: Labels): Labels {
+export function labelsWithMap<Named extends Labels>({ units, ...rest }: Named): Omit<Named, 'units'> & Labels {
   const all = Object.assign(noLabels().units, units);
   for (const [name, unit] of Object.entries(units)) {
     for (const error of Object.values(errorNames(name))) all[error] = unit;
   }
-  return { units: all, componentNames };
+  return { ...rest, componentNames: rest.componentNames, units: all };
 }

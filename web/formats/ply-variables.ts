@@ -73,6 +73,16 @@ export function declaredUnits(comments: string[]): [name: string, unit: string][
   });
 }
 
+/** Names of labels from comments of the form `regions "NAME" property`, by the property of the faces that holds them. */
+export function declaredRegions(comments: string[]): Map<string, string> {
+  return new Map(
+    comments.flatMap((comment) => {
+      const declared = parseNamed(comment, 'regions');
+      return declared?.rest ? [[declared.rest, declared.name] as [string, string]] : [];
+    }),
+  );
+}
+
 /** Component names from comments of the form `components "NAME" ["u","v","w"]`. */
 export function declaredComponentNames(comments: string[]): [name: string, names: string[]][] {
   return comments.flatMap((comment) => {

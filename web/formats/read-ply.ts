@@ -10,12 +10,20 @@ import {
   readPlyHeader,
 } from './ply-header.ts';
 import { type PlyValues, plyValues } from './ply-values.ts';
-import { declaredComponentNames, declaredUnits, groupProperties, type PlyVariable } from './ply-variables.ts';
+import {
+  declaredComponentNames,
+  declaredRegions,
+  declaredUnits,
+  groupProperties,
+  type PlyVariable,
+} from './ply-variables.ts';
 import { noPolygons, type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
+import { regionNotes } from './region-notes.ts';
 import { type Labels, noLabels, type Surface } from './surface.ts';
 import { cutNotes } from './text-lines.ts';
 import { undecoded } from './utf8-text.ts';
+import { labelsOfTriangles } from './vtk-pieces.ts';
 import { capitalised, counted, listed, quoted } from './wording.ts';
 
 // Written by hand although three.js has a PLYLoader. That one converts colours between colour spaces, rounding them; has
@@ -40,18 +48,19 @@ export function readPly(bytes: Uint8Array): Surface {
   const header = readPlyHeader(bytes);
   const values = plyValues(bytes, header);
   const notes: string[] = [];
-  const parts: { vertices?: Vertices; faces?: Polygons; strips?: Polygons } = {};
+  const parts: { vertices?: Vertices; faces?: Faces; strips?: Polygons } = {};
   for (const element of header.elements) {
     values.begin(element);
     if (element.name === 'vertex') parts.vertices = readVertices(element, header.comments, values);
-    else if (element.name === 'face') parts.faces = readFaces(element, values, notes);
+    else if (element.name === 'face') parts.faces = readFaces(element, values);
     else if (element.name === 'tristrips') parts.strips = readStrips(element, values);
     else skipElement(element, values, notes);
   }
   const { position, variables, notes: vertexNotes } = parts.vertices ?? noPoints();
-  const triangles = joinTriangles(parts, position, notes);
+  const triangles = joinTriangles({ ...parts, faces: parts.faces?.polygons }, position, notes);
+  const regions = readRegions(parts.faces, parts.strips, header.comments, notes);
   notes.push(...vertexNotes, ...textureNotes(header), ...endNotes(bytes, header, values));
-  return { mesh: { position, triangles, variables }, notes, ...labels(header, variables) };
+  return { mesh: { position, triangles, variables }, notes, ...labels(header, variables), regions };
 }
 
 function noPoints(): never {
@@ -124,26 +133,66 @@ function vertexNotes(element: PlyElement, byName: Map<string, PlyProperty>, grou
   return notes;
 }
 
-function readFaces(element: PlyElement, values: PlyValues, notes: string[]): Polygons | undefined {
+interface Faces {
+  polygons: Polygons | undefined;
+  /** By property what could be labels, a number a face. */
+  columns: Map<string, Float64Array>;
+  /** Everything else. */
+  others: string[];
+}
+
+/** Colours are no labels, though they are whole numbers; nor are other properties that belong together. */
+function readFaces(element: PlyElement, values: PlyValues): Faces {
   const corners = cornerList(element);
-  const dropped = element.properties.filter((property) => property !== corners).map((property) => property.name);
-  if (dropped.length > 0) notes.push(`Not carried: the face properties ${listed(dropped)}.`);
-  return readCorners(element, values);
+  const rest = element.properties.filter((property) => property !== corners);
+  const plain = rest.filter(({ listLength }) => !listLength).map(({ name }) => name);
+  const alone = groupProperties(plain).filter(({ properties }) => properties.length === 1);
+  const columns = new Map(alone.map(({ name }) => [name, new Float64Array(element.count)]));
+  const others = rest.map(({ name }) => name).filter((name) => !columns.has(name));
+  return { polygons: readCorners(element, values, { columns }), columns, others };
+}
+
+/** Face properties of whole numbers as labels of the triangles; of files without strips, whose triangles follow the faces. */
+function readRegions(faces: Faces | undefined, strips: Polygons | undefined, comments: string[], notes: string[]) {
+  const regions = new Map<string, Int32Array>();
+  const names = declaredRegions(comments);
+  const lost = [...(faces?.others ?? [])];
+  for (const [property, numbers] of faces?.columns ?? []) {
+    const labels = faces?.polygons && !strips?.ends.length && labelsOfTriangles(numbers, 0, faces.polygons);
+    if (labels) regions.set(names.get(property) ?? property, labels);
+    else lost.push(property);
+  }
+  if (lost.length > 0) notes.push(`Not carried: the face properties ${listed(lost)}.`);
+  notes.push(...regionNotes(regions));
+  return regions;
 }
 
 function cornerList({ properties }: PlyElement): PlyProperty | undefined {
   return properties.find((property) => property.listLength && cornerLists.includes(property.name));
 }
 
-/** The corners of all faces; -1 ends a strip, and ends a polygon only in error. */
-function readCorners(element: PlyElement, values: PlyValues, endMark?: number): Polygons | undefined {
+interface CornerOptions {
+  /** The corner that ends a strip; a polygon it ends only in error. */
+  endMark?: number;
+  /** Where the numbers of other properties go. */
+  columns?: Map<string, Float64Array>;
+}
+
+/** The corners of all faces. */
+function readCorners(
+  element: PlyElement,
+  values: PlyValues,
+  { endMark, columns }: CornerOptions,
+): Polygons | undefined {
   const list = cornerList(element);
   if (!list) return undefined;
   const collected = new GrowingPolygons();
   for (let row = 0; row < element.count; row++) {
     values.startRow(row);
     for (const property of element.properties) {
+      const column = columns?.get(property.name);
       if (property === list) readList(property, values, collected, endMark);
+      else if (column) column[row] = values.next(property.type);
       else values.skip(property);
     }
   }
@@ -162,7 +211,7 @@ function readList(property: PlyProperty, values: PlyValues, collected: GrowingPo
 }
 
 function readStrips(element: PlyElement, values: PlyValues): Polygons | undefined {
-  const strips = readCorners(element, values, -1);
+  const strips = readCorners(element, values, { endMark: -1 });
   if (!strips) return undefined;
   // A strip that ends with its end mark, as most do, is followed by an empty one.
   const ends = strips.ends.filter((end, index) => end > (index > 0 ? strips.ends[index - 1] : 0));

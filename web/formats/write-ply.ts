@@ -15,12 +15,13 @@ interface Column {
 }
 
 const columnSizes = { float: 4, double: 8, uchar: 1 };
-/** A face: one byte that says three, and three indices. */
+/** A face: one byte that says three, and three indices; behind them the label of its region, where there are any. */
 const faceSize = 1 + 3 * 4;
+const labelSize = 4;
 
 /**
  * Writes a PLY file that readPly gives back bit for bit: float stays float, double stays double, and every variable its
- * name, components and unit. Vectors are written under their usual property names; where those would not lead back to the
+ * name, components and unit; labels of triangles are a property of the faces. Vectors are written under their usual property names; where those would not lead back to the
  * variables (names with spaces, a scalar named velocity_x) comments say what belongs together.
  */
 export function writePly(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
@@ -35,11 +36,14 @@ export function writePly(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
 function nameProperties(variables: Variable[]): PlyVariable[] {
   const used = new Set(['x', 'y', 'z']);
   return variables.map(({ name, components }) => {
-    // PLY separates words by spaces and is read as ASCII by most programs.
-    const word = name.replace(/[^!-~]+/g, '_') || 'variable';
-    const properties = propertyNames(word, components).map((property) => unique(property, used));
+    const properties = propertyNames(wordOf(name), components).map((property) => unique(property, used));
     return { name, properties };
   });
+}
+
+/** PLY separates words by spaces and is read as ASCII by most programs. */
+function wordOf(name: string): string {
+  return name.replace(/[^!-~]+/g, '_') || 'variable';
 }
 
 function unique(name: string, used: Set<string>): string {
@@ -81,9 +85,12 @@ function headerText(
   if (vertices > 2 ** 31)
     throw new FormatError('too_large', 'PLY indices are 32-bit; the mesh has more points than that.');
   const lines = ['ply', `format ${encoding} 1.0`, 'comment written by Meshbound', ...commentLines(groups, options)];
+  if (mesh.regions) lines.push(...labelComments(options));
   lines.push(`element vertex ${vertices}`);
   for (const { type, name } of columns) lines.push(`property ${type} ${name}`);
-  lines.push(`element face ${mesh.triangles.length / 3}`, 'property list uchar int vertex_indices', 'end_header', '');
+  const label = mesh.regions ? [`property int ${labelProperty(options)}`] : [];
+  lines.push(`element face ${mesh.triangles.length / 3}`, 'property list uchar int vertex_indices', ...label);
+  lines.push('end_header', '');
   return lines.join('\n');
 }
 
@@ -104,6 +111,17 @@ function commentLines(groups: PlyVariable[], { units = {}, componentNames = {} }
   return lines;
 }
 
+/** What the faces' property is called that holds the labels; not as the list of the corners. */
+function labelProperty({ regionName = 'regions' }: WriteOptions): string {
+  return unique(wordOf(regionName), new Set(['vertex_indices', 'vertex_index']));
+}
+
+function labelComments(options: WriteOptions): string[] {
+  const { regionName = 'regions' } = options;
+  const property = labelProperty(options);
+  return property === regionName ? [] : [`comment regions ${JSON.stringify(regionName)} ${property}`];
+}
+
 function oneLine(text: string): string {
   return text.replace(/\s+/g, ' ').trim();
 }
@@ -114,8 +132,13 @@ function asciiBody(mesh: Mesh, columns: Column[]): string {
     lines.push(columns.map(({ values, step, offset }) => asciiNumber(values[vertex * step + offset])).join(' '));
   }
   for (let at = 0; at < mesh.triangles.length; at += 3)
-    lines.push(`3 ${mesh.triangles.subarray(at, at + 3).join(' ')}`);
+    lines.push(['3', ...mesh.triangles.subarray(at, at + 3), ...labelOf(mesh, at / 3)].join(' '));
   return `${lines.join('\n')}\n`;
+}
+
+/** The label of a triangle, or none. */
+function labelOf({ regions }: Mesh, triangle: number): Int32Array {
+  return regions ? regions.subarray(triangle, triangle + 1) : new Int32Array();
 }
 
 /** The shortest digits that give the number back; JavaScript's own drop the sign of −0 and C reads nan and inf. */
@@ -128,7 +151,8 @@ function asciiNumber(value: number): string {
 function binaryFile(header: Uint8Array, mesh: Mesh, columns: Column[], littleEndian: boolean): Uint8Array {
   const vertices = mesh.position.length / 3;
   const vertexSize = columns.reduce((sum, { type }) => sum + columnSizes[type], 0);
-  const file = new Uint8Array(header.length + vertices * vertexSize + (mesh.triangles.length / 3) * faceSize);
+  const rowSize = mesh.regions ? faceSize + labelSize : faceSize;
+  const file = new Uint8Array(header.length + vertices * vertexSize + (mesh.triangles.length / 3) * rowSize);
   file.set(header);
   const view = new DataView(file.buffer);
   let start = header.length;
@@ -136,7 +160,7 @@ function binaryFile(header: Uint8Array, mesh: Mesh, columns: Column[], littleEnd
     writeColumn(view, start, vertexSize, column, littleEndian);
     start += columnSizes[column.type];
   }
-  writeFaces(view, header.length + vertices * vertexSize, mesh.triangles, littleEndian);
+  writeFaces(view, header.length + vertices * vertexSize, mesh, littleEndian);
   return file;
 }
 
@@ -151,11 +175,14 @@ function writeColumn(view: DataView, start: number, vertexSize: number, column: 
   }
 }
 
-function writeFaces(view: DataView, start: number, triangles: Uint32Array, littleEndian: boolean): void {
+function writeFaces(view: DataView, start: number, { triangles, regions }: Mesh, littleEndian: boolean): void {
   let at = start;
   for (let i = 0; i < triangles.length; i += 3) {
     view.setUint8(at, 3);
     for (let corner = 0; corner < 3; corner++) view.setInt32(at + 1 + 4 * corner, triangles[i + corner], littleEndian);
     at += faceSize;
+    if (!regions) continue;
+    view.setInt32(at, regions[i / 3], littleEndian);
+    at += labelSize;
   }
 }

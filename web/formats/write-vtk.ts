@@ -18,6 +18,7 @@ export function writeVtk(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
     mesh.position,
     `\n${metadata(position, options)}POLYGONS ${triangles} ${triangles * (cornerCount + 1)}\n`,
     cellLists(mesh.triangles),
+    ...labelChunks(mesh, options),
     mesh.variables.length > 0 ? `\nPOINT_DATA ${points}\nFIELD FieldData ${mesh.variables.length}\n` : '\n',
   ];
   for (const variable of mesh.variables) {
@@ -29,6 +30,13 @@ export function writeVtk(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
     );
   }
   return joined(chunks);
+}
+
+/** Labels of the triangles, as cell data. */
+function labelChunks({ regions }: Mesh, { regionName = 'regions' }: WriteOptions): Chunk[] {
+  if (!regions) return [];
+  const head = `\nCELL_DATA ${regions.length}\nFIELD FieldData 1\n`;
+  return [`${head}${encodeName(regionName)} 1 ${regions.length} int\n`, regions];
 }
 
 type Chunk = string | Float32Array | Float64Array | Int32Array;

@@ -14,11 +14,13 @@ interface Writer {
   single: boolean;
   /** Whether units and component names have a place. */
   labels: boolean;
+  /** Whether labels of triangles have a place. */
+  regions: boolean;
   /** Whether a variable may have an empty name. */
   nameless: boolean;
 }
 
-const lossless = { lost: () => [], single: false, labels: true, nameless: false };
+const lossless = { lost: () => [], single: false, labels: true, regions: true, nameless: false };
 
 /** One writer a format, each loaded when first asked for. */
 const writers: Record<Format, () => Promise<Writer>> = {
@@ -27,21 +29,28 @@ const writers: Record<Format, () => Promise<Writer>> = {
   vtk: async () => ({ write: (await import('./write-vtk.ts')).writeVtk, ...lossless }),
   obj: async () => {
     const { writeObj, lostInObj } = await import('./write-obj.ts');
-    return { write: writeObj, lost: lostInObj, single: false, labels: false, nameless: true };
+    return { write: writeObj, lost: lostInObj, single: false, labels: false, regions: false, nameless: true };
   },
   stl: async () => {
     const { writeStl } = await import('./write-stl.ts');
-    return { write: writeStl, lost: (mesh) => mesh.variables, single: true, labels: false, nameless: true };
+    return {
+      write: writeStl,
+      lost: (mesh) => mesh.variables,
+      single: true,
+      labels: false,
+      regions: false,
+      nameless: true,
+    };
   },
   glb: async () => {
     const { writeGlb } = await import('./write-glb.ts');
-    return { write: writeGlb, lost: () => [], single: true, labels: true, nameless: false };
+    return { write: writeGlb, lost: () => [], single: true, labels: true, regions: false, nameless: false };
   },
 };
 
 /**
  * Writes a mesh as a file in memory. PLY, VTP and legacy VTK hold all variables in single and double precision as given,
- * with units and component names; for what others lose ask lossesOf. Throws a FormatError where a format cannot hold a name, size
+ * with units and component names, and labels of triangles; for what others lose ask lossesOf. Throws a FormatError where a format cannot hold a name, size
  * or value; `where` is the variable then.
  */
 export async function writeSurface(format: Format, mesh: Mesh, options?: WriteOptions): Promise<Uint8Array> {
@@ -72,12 +81,12 @@ function requirePlace(format: Format, mesh: Mesh, { lost, single, nameless }: Wr
 
 /** What a file of this format will not hold of the mesh and its labels, a sentence each; nothing for PLY, VTP and legacy VTK. */
 export async function lossesOf(format: Format, mesh: Mesh, labels: Partial<Labels> = {}): Promise<string[]> {
-  const { lost, single, labels: holdsLabels } = await writers[format]();
+  const { lost, single, labels: holdsLabels, regions: holdsRegions } = await writers[format]();
   const sentences: string[] = [];
   const names = lost(mesh).map(({ name }) => name);
   if (names.length > 0) sentences.push(`${formatNames[format]} has no place for the variables ${listed(names)}.`);
   const kept = keptVariables(mesh, lost(mesh));
-  if (mesh.regions && format !== 'vtp') sentences.push('The regions are written to VTP files only.');
+  if (mesh.regions && !holdsRegions) sentences.push(`${formatNames[format]} has no place for the regions.`);
   if (!holdsLabels) sentences.push(...labelLosses(format, kept, labels));
   const doubles = kept.filter(({ values }) => values instanceof Float64Array);
   if (single && doubles.length > 0) {

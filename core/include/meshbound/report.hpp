@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,13 @@ struct DroppedParts {
     std::size_t parts = 0, triangles = 0;
 };
 
+/// How much there is of a region (Mesh::regions). One without triangles has vanished.
+struct RegionReport {
+    std::int32_t label = 0;
+    std::size_t triangles_before = 0, triangles_after = 0;
+    double area_before = 0, area_after = 0; ///< in the unit of position, squared; infinity beyond what a double holds
+};
+
 enum class Stopped {
     finished,  ///< no single vertex can go any more
     cancelled, ///< the caller cancelled; the mesh is valid and within the bounds, but larger than need be
@@ -46,6 +54,7 @@ struct Report {
     Refusals refused;
     Oddities oddities;
     DroppedParts dropped;
+    std::vector<RegionReport> regions; ///< by rising labels; empty where triangles have none
     /// The feature size, where it limited the bound of position (Options::limit_to_feature_size).
     std::optional<double> feature_size;
     std::size_t non_manifold_vertices = 0; ///< of the input: on edges of three or more triangles, in bow-ties

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "meshbound/mesh.hpp"
+#include "meshbound/report.hpp"
+
+namespace meshbound {
+
+/// How much of each region there is before and after, by rising labels; nothing where the meshes have no labels. Labels of
+/// `after` are labels of `before`.
+std::vector<RegionReport> report_regions(const Mesh& before, const Mesh& after);
+
+} // namespace meshbound
