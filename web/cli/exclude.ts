@@ -1,3 +1,4 @@
+import { withVariables } from '../formats/read.ts';
 import { requireKnown } from './bound-arguments.ts';
 import { UsageFault } from './fault.ts';
 import type { OpenedSurface } from './surface-files.ts';
@@ -6,6 +7,9 @@ import type { OpenedSurface } from './surface-files.ts';
 export function without(names: readonly string[], surface: OpenedSurface): OpenedSurface {
   requireKnown(names, surface);
   if (names.includes('position')) throw new UsageFault('--exclude: the position cannot be left out.');
-  const variables = surface.mesh.variables.filter(({ name }) => !names.includes(name));
-  return { ...surface, mesh: { ...surface.mesh, variables } };
+  if (names.length === 0) return surface;
+  return {
+    ...withVariables(surface, (variables) => variables.filter(({ name }) => !names.includes(name))),
+    path: surface.path,
+  };
 }

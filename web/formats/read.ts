@@ -1,6 +1,8 @@
+import type { Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
 import { gunzip, isGzip } from './gzip.ts';
+import { withJoinedFaces } from './loose-faces.ts';
 import { withOpenSeams } from './open-seams.ts';
 import { recognise } from './recognise.ts';
 import { type Beside, type Format, noLabels, type Surface } from './surface.ts';
@@ -21,6 +23,8 @@ export interface SurfaceFile extends Surface {
   format: Format;
   /** The notes as one text; empty if there is nothing to say. */
   summary: string;
+  /** The surface before faces were joined, where they were: with the points of the file. */
+  asRead?: Surface & { format: Format };
 }
 
 /**
@@ -41,7 +45,7 @@ async function unpacked(bytes: Uint8Array): Promise<Uint8Array> {
 /** The surface with the variables of a CSV file beside it, packed by gzip or not, a line for each point; see readCsv. */
 export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promise<SurfaceFile> {
   const { readCsv } = await import('./read-csv.ts');
-  const { mesh } = surface;
+  const { mesh } = surface.asRead ?? surface;
   const added = await withinMemory(async () => readCsv(await unpacked(csv), mesh.position.length / 3));
   const known = new Set([geometry, ...mesh.variables.map(({ name }) => name)]);
   const twice = added.variables.find(({ name }) => known.has(name));
@@ -52,18 +56,35 @@ export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promi
       quoted(twice.name),
     );
   }
-  const notes = [...surface.notes, ...added.notes];
+  const extended = withVariables(surface, (variables) => [...variables, ...added.variables]);
+  const notes = [...extended.notes, ...added.notes];
   const units = Object.assign(noLabels().units, surface.units, added.units);
-  const variables = [...mesh.variables, ...added.variables];
-  return { ...surface, mesh: { ...mesh, variables }, units, notes, summary: notes.join(' ') };
+  return { ...extended, units, notes, summary: notes.join(' ') };
 }
 
 async function readUnpacked(name: string, bytes: Uint8Array, beside?: Beside): Promise<SurfaceFile> {
   const format = recognise(bytes, name);
   const read = await readers[format]();
-  const surface = withoutGeometryName(await withinMemory(async () => withOpenSeams(await read(bytes, beside))));
-  const notes = [...endingNote(name, format), ...surface.notes];
-  return { ...surface, format, notes, summary: notes.join(' ') };
+  const surface = withoutGeometryName(await withinMemory(async () => read(bytes, beside)));
+  return withinMemory(async () =>
+    joinedFile({ ...surface, format, notes: [...endingNote(name, format), ...surface.notes] }),
+  );
+}
+
+/** The surface that the core gets, of what a reader left. */
+function joinedFile(asRead: Surface & { format: Format }): SurfaceFile {
+  const joined = withJoinedFaces(asRead);
+  const surface = withOpenSeams(joined);
+  const summary = surface.notes.join(' ');
+  return joined === asRead ? { ...asRead, ...surface, summary } : { ...asRead, ...surface, summary, asRead };
+}
+
+/** The surface with other variables at the points of its file, in which it may hang together otherwise. */
+export function withVariables(file: SurfaceFile, change: (variables: Variable[]) => Variable[]): SurfaceFile {
+  const changed = <Changed extends Surface>(surface: Changed): Changed => {
+    return { ...surface, mesh: { ...surface.mesh, variables: change(surface.mesh.variables) } };
+  };
+  return file.asRead ? joinedFile(changed(file.asRead)) : changed(file);
 }
 
 /** What the geometry is called among the variables. */
