@@ -23,6 +23,8 @@ constexpr double same_distance = 1e-9;
 /// The largest coordinate is brought to this power of two. The distance from a face is the root of a product of six
 /// differences: it stays below the largest double, and lobes that are 1e-90 of the mesh's size apart still have one.
 constexpr int scaled_exponent = 160;
+/// So no two points are as far apart as this power of two: three differences below 2^(scaled_exponent + 2), squared and added.
+constexpr int farthest_exponent = scaled_exponent + 3;
 
 class LobeSearch {
 public:
@@ -104,7 +106,7 @@ bool LobeSearch::share_place(std::uint32_t one, std::uint32_t other) const {
 
 std::optional<double> LobeSearch::smallest(double within, const Progress& progress) {
     Ticker ticker(progress);
-    least_ = std::ldexp(within, exponent_);
+    least_ = std::min(std::ldexp(within, exponent_), std::ldexp(1.0, farthest_exponent));
     for (std::uint32_t one = 0; one < triangles_.size() && !ticker.cancelled(); ++one)
         tree_.any(box(one, least_), [&](std::uint32_t other) {
             if (other > one && !share_place(one, other)) look_at(one, other);

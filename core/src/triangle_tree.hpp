@@ -47,7 +47,8 @@ public:
     /// Gives one of the slots that the tree was built over another box. An empty box is never found.
     void change(std::uint32_t slot, const BoundingBox& box);
 
-    /// Whether `test(slot)` holds for one of the slots whose boxes meet the given one; asks no more of them than need be.
+    /// Whether `test(slot)` holds for one of the slots whose boxes meet the given one, which is finite; asks no more of them
+    /// than need be.
     template <class Test>
     bool any(const BoundingBox& box, Test test) const {
         std::array<std::size_t, 2 * std::numeric_limits<std::size_t>::digits> waiting;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -72,6 +73,14 @@ TEST(FeatureSizeTest, IsFoundInAnyUnit) {
         const Mesh scaled = meshes::mapped(mesh, [unit](glm::dvec3 p) { return unit * p; });
         EXPECT_EQ(feature_size(scaled, unit).value_or(0), unit * size) << unit;
     }
+}
+
+/// Found by the fuzzer: a box without end met empty ones.
+TEST(FeatureSizeTest, IsLookedForHoweverFar) {
+    const Mesh mesh = meshes::nested_spheres(7, 0.2);
+    for (const double within : {1e300, std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity()})
+        EXPECT_EQ(feature_size(mesh, within), feature_size(mesh, 1)) << within;
+    EXPECT_FALSE(feature_size(meshes::plane(5, 5), std::numeric_limits<double>::infinity()).has_value());
 }
 
 TEST(FeatureSizeTest, IsCalledOffAtAnyTime) {
