@@ -196,6 +196,10 @@ test('regions keep their borders and labels, and those that are locked stay', as
     else expect(kept.size).toBeLessThan(before.length / 2);
   }
   await expect(group('Locks and regions').locator('summary')).toContainText('1 region of material');
+  await open('Report');
+  await expect(group('Report')).toContainText('3 kept');
+  const { name, bytes } = await saved(page(), 'map');
+  expect((await readSurface(name, bytes)).regions?.get('material')).toEqual(original.regions);
 });
 
 test('a variable multiplies the bounds at every point, and the colours count against what it makes of them', async () => {
@@ -260,6 +264,13 @@ test('parts smaller than the bound are dropped when asked for, and counted', asy
   await expect(report.locator('summary')).toContainText('1 part dropped');
   await expect(report).toContainText('1 dropped (4 triangles)');
   expect(placesOf((await savedMesh()).mesh).filter(isSmall)).toEqual([]);
+
+  // A region of which nothing is left is said to be gone.
+  const regions = original.regions?.map((label, triangle) => (triangle < 3200 ? label : 9));
+  await chooseFile(page(), 'apart.vtp', await vtp({ ...original, regions }));
+  await page().getByLabel('Regions from').selectOption('material');
+  await expect(report.locator('summary')).toContainText('1 part dropped, regions vanished');
+  await expect(report).toContainText('3 kept; vanished: 9');
 });
 
 test('parts that are near each other are kept apart by either way', async () => {

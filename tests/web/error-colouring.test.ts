@@ -68,6 +68,17 @@ describe('error / bound', () => {
     );
   });
 
+  test('counts against the bound as it is multiplied at each place, and says so', () => {
+    const multiplied = { ...reduction({ errors: [0, 1, 8] }), multiplier: Float64Array.of(1, 0.5, 2) };
+    const original = originalErrors(mesh, multiplied, labels, settings);
+    expect([...(original?.places ?? [])]).toEqual([0, 0.5, 1]);
+    expect(original?.meaning.detail).toContain('of the bound as it is multiplied there');
+    multiplied.triangleErrors[1].ratio[0] = 0.75;
+    const reduced = reducedErrors(multiplied, labels, settings);
+    expect([...reduced.places]).toEqual([0.75, 0.75, 0.75]);
+    expect(reduced.meaning.detail).toContain('of the bound as it is multiplied there');
+  });
+
   test('of a free variable is nothing', () => {
     const { places, meaning } = reducedErrors(reduction({ bound: Infinity }), labels, settings);
     expect(Math.max(...places)).toBeLessThan(0);
@@ -103,6 +114,16 @@ describe('signed errors', () => {
   test('of a free variable reach as far as the largest', () => {
     const { meaning } = reducedErrors(reduction({ bound: Infinity }), labels, settings);
     expect(meaning).toMatchObject({ range: { lowest: -2, highest: 2 }, ends: ['−largest', '+largest'] });
+  });
+
+  test('reach as far as the largest where the bound is not the same everywhere', () => {
+    const multiplied = { ...reduction({}), multiplier: Float64Array.of(1, 0.5, 2) };
+    const { meaning } = reducedErrors(multiplied, labels, settings);
+    expect(meaning).toMatchObject({
+      range: { lowest: -2, highest: 2 },
+      ends: ['−largest', '+largest'],
+      bounded: false,
+    });
   });
 
   test('of position say which side is positive', () => {

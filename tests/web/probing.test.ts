@@ -86,6 +86,22 @@ describe('a place that is pointed at', () => {
   });
 });
 
+test('a share of a bound is that of the bound as it is multiplied there', async () => {
+  const multiplier = Float64Array.from({ length: mesh.position.length / 3 }, (_, vertex) => 1 + vertex);
+  const { probing, known } = setUp(Object.assign({}, tracked, { multiplier }));
+  probing.point('original', somewhere);
+  await known();
+  const corners = [...mesh.triangles.subarray(3 * somewhere.triangle, 3 * somewhere.triangle + 3)];
+  const here = corners.reduce((sum, vertex, i) => sum + somewhere.barycentric[i] * (1 + vertex), 0);
+  const { bound, error, ratio } = probing.state.probe?.variables[1] ?? {};
+  expect(bound).toBeCloseTo(here * tracked.report.variables[1].bound, 12);
+  expect(ratio).toBe((error as number) / (bound as number));
+
+  const limited = setUp(Object.assign({}, propagated, { multiplier }));
+  limited.probing.point('reduced', { triangle: 3, barycentric: [0.2, 0.2, 0.6] });
+  expect(limited.probing.state.probe?.variables[1].ratio).toBe(propagated.triangleErrors[1].ratio[3]);
+});
+
 describe('a place that is pinned', () => {
   test('stays while others are pointed at, until it is let go', () => {
     const { probing } = setUp();

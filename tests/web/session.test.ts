@@ -1,5 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
 import type { Mesh, ReduceOptions, Reduction } from '../../wasm/types.ts';
+import { type Keeping, nothingKept } from '../../web/session/keeping.ts';
 import type { OpenedFile } from '../../web/session/read.ts';
 import type { Services } from '../../web/session/services.ts';
 import { Session } from '../../web/session/session.ts';
@@ -276,6 +277,60 @@ describe('the method', () => {
       refusePiercing: true,
       limitToFeatureSize: true,
     });
+  });
+});
+
+describe('what is kept', () => {
+  const box = { lowest: [0, 0, 0], highest: [1, 1, 1] } as const;
+  const keeping: Keeping = { ...nothingKept, lockBox: { lowest: [...box.lowest], highest: [...box.highest] } };
+
+  test('starts a reduction where it is another, and is told with its result', async () => {
+    const { session, runs } = setUp();
+    await session.openFile(file('a.ply'));
+    session.setKeeping({ ...nothingKept });
+    expect(runs).toHaveLength(1);
+    session.setKeeping(keeping);
+    await settled();
+    expect(runs).toHaveLength(2);
+    expect(runs[0].options.signal?.aborted).toBe(true);
+    expect(runs[1].options.lockedBoxes).toEqual([box]);
+    runs[1].finish();
+    await settled();
+    expect(session.state.reduced?.keeping).toBe(keeping);
+  });
+
+  test('waits for a surface that is being opened, and holds for the one before where that fails', async () => {
+    const read = vi.fn<Services['read']>(async () => fileWith(meshWith('pressure')));
+    const { session, runs } = setUp({ read });
+    await session.openFile(file('a.ply'));
+    runs[0].finish();
+    await settled();
+    const opening = session.openFile(file('b.ply'));
+    session.setKeeping(keeping);
+    expect(runs).toHaveLength(1);
+    await opening;
+    expect(runs).toHaveLength(2);
+    expect(runs[1].options.lockedBoxes).toEqual([box]);
+    runs[1].finish();
+    await settled();
+    read.mockRejectedValue(new Error('broken'));
+    const failing = session.openFile(file('c.ply'));
+    session.setKeeping(nothingKept);
+    await failing;
+    await settled();
+    expect(runs).toHaveLength(3);
+    expect(runs[2].options.lockedBoxes).toEqual([]);
+  });
+
+  test('is refused where the surface has not what it names, and a reduction that runs ends', async () => {
+    const { session, runs } = setUp();
+    await session.openFile(file('a.ply'));
+    session.setKeeping({ ...nothingKept, regions: 'material' });
+    await settled();
+    expect(runs[0].options.signal?.aborted).toBe(true);
+    expect(runs).toHaveLength(1);
+    expect(session.state.progress).toBeNull();
+    expect(session.state.notices.at(-1)).toMatchObject({ kind: 'error', code: 'unknown_regions', ofReduction: true });
   });
 });
 

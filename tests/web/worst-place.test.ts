@@ -57,4 +57,9 @@ test('a surface of equal triangles, half of it in error, has half of its area th
   expect(quantile(shares, 0.4)).toBeCloseTo(1 / histogramBins, 12);
   expect(quantile(shares, 0.6)).toBeCloseTo(1 / 2 + 1 / histogramBins, 12);
   expect(quantile(shares, 1)).toBe(1);
+  // Where the bound is twice as large, the share is half as large.
+  const multiplied = Object.assign({}, reduction, { multiplier: Float64Array.of(1, 1, 1, 2, 2, 2) });
+  const halves = errorHistograms({ position, triangles, variables: [] }, multiplied)[0] as Float64Array;
+  expect(halves[histogramBins / 4]).toBeCloseTo(1 / 3, 12);
+  expect(halves[histogramBins / 2]).toBeCloseTo(1 / 6, 12);
 });

@@ -59,11 +59,13 @@ async function levelsFile({ name, labels }: OpenSurface, levels: Levels | null):
 }
 
 /** As VTP, which holds doubles, and which the programs of the field read. */
-async function mapFile({ name, mesh, labels }: OpenSurface, { result }: Reduced): Promise<Saved> {
+async function mapFile({ name, mesh, labels, regions }: OpenSurface, { result, keeping }: Reduced): Promise<Saved> {
   if (!result.map) throw new Error(english.faults.noMap);
   const taken = takenMapNames(mesh);
   if (taken.length > 0) throw new Error(english.faults.namesTaken(listed(taken)));
-  const content = await writeSurface('vtp', withMap(mesh, result), labelsWithMap(labels));
+  const regionName = keeping.regions ?? undefined;
+  const parted = { ...mesh, regions: regions?.get(regionName ?? '') };
+  const content = await writeSurface('vtp', withMap(parted, result), { ...labelsWithMap(labels), regionName });
   return { name: savedFileName(name, 'map', 'vtp'), content, losses: [] };
 }
 

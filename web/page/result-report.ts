@@ -1,5 +1,5 @@
 import { css, html, LitElement } from 'lit';
-import type { Report } from '../../wasm/types.ts';
+import type { RegionReport, Report } from '../../wasm/types.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import { countText, valueText, withUnit } from '../element/number-text.ts';
 import { firstMethod, type Method } from '../session/method.ts';
@@ -54,9 +54,10 @@ export class ResultReport extends LitElement {
   }
 
   /** What most results have not, each in a few words. */
-  #unusual({ turnedAway, dropped, featureSize, oddities }: Report): string[] {
+  #unusual({ turnedAway, dropped, featureSize, oddities, regions }: Report): string[] {
     const found: [boolean, string][] = [
       [dropped.parts > 0, words.partsDropped(countText(dropped.parts), dropped.parts)],
+      [regions.some(isVanished), words.unusual.vanished],
       [featureSize !== undefined, words.unusual.limited],
       [turnedAway.after > turnedAway.before, words.unusual.turnedAway],
       [oddities.turnedTriangles > 0, words.unusual.turnedRound],
@@ -65,7 +66,12 @@ export class ResultReport extends LitElement {
     return found.filter(([is]) => is).map(([, text]) => text);
   }
 
-  #lines({ turnedAway, dropped, featureSize, oddities, nonManifoldVertices }: Report): [string, string][] {
+  #regions(regions: RegionReport[]): string {
+    const vanished = regions.filter(isVanished).map(({ label }) => String(label));
+    return words.regionsAre(countText(regions.length - vanished.length), vanished);
+  }
+
+  #lines({ turnedAway, dropped, featureSize, oddities, regions, nonManifoldVertices }: Report): [string, string][] {
     const { turnedTriangles, unorientableParts } = oddities;
     const size = featureSize === undefined ? null : withUnit(valueText(featureSize), this.unit);
     return [
@@ -79,6 +85,7 @@ export class ResultReport extends LitElement {
           unorientableParts,
         ),
       ],
+      [words.regions, regions.length > 0 ? this.#regions(regions) : words.noRegions],
       [words.nonManifold, countText(nonManifoldVertices)],
       [words.featureSize, words.featureSizeIs(size, this.method.limitToFeatureSize)],
       [
@@ -87,6 +94,10 @@ export class ResultReport extends LitElement {
       ],
     ];
   }
+}
+
+function isVanished({ triangles }: RegionReport): boolean {
+  return triangles.after === 0;
 }
 
 customElements.define('meshbound-result-report', ResultReport);

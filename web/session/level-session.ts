@@ -101,15 +101,15 @@ export class LevelSession extends EventTarget {
     const all = Array.from({ length: this.#state.count }, (_, level) => coarser(bounds, levelFactor ** level));
     const levels = all.map(asBounds);
     try {
-      const task = taskOf(surface, method, keeping);
-      const made = await this.#making.run((signal) => {
+      const nested = await this.#making.run(async (signal) => {
+        const task = taskOf(surface, method, keeping);
         const onProgress = (progress: number) => {
           if (!signal.aborted) this.#update({ progress });
         };
-        return this.#reduceLevels(task.mesh, { levels, morphs: true, ...task.options, signal, onProgress });
+        const options = { levels, morphs: true, ...task.options, signal, onProgress };
+        return levelsOf(task, await this.#reduceLevels(task.mesh, options));
       });
-      if (made === superseded) return;
-      const nested = levelsOf(task, made);
+      if (nested === superseded) return;
       const results = nested.levels.map((result, level) => ({ result, bounds: all[level], method, keeping }));
       this.#update({ nested, results, progress: null });
     } catch (error) {

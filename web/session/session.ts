@@ -371,16 +371,16 @@ export class Session extends EventTarget {
     if (!surface) return;
     this.#update({ notices: this.#state.notices.filter(({ ofReduction }) => !ofReduction) });
     try {
-      const task = taskOf(surface, method, keeping);
-      const result = await this.#reducing.run((signal) => {
+      const result = await this.#reducing.run(async (signal) => {
+        const task = taskOf(surface, method, keeping);
         const onProgress = (progress: number) => {
           if (!signal.aborted) this.#update({ progress });
         };
-        return this.#services.reduce(task.mesh, { bounds: asBounds(bounds), ...task.options, signal, onProgress });
+        const options = { bounds: asBounds(bounds), ...task.options, signal, onProgress };
+        return resultOf(task, await this.#services.reduce(task.mesh, options));
       });
       if (result === superseded) return;
-      const reduced = { result: resultOf(task, result), bounds, method, keeping };
-      this.#update({ reduced, progress: this.#isStale ? 0 : null });
+      this.#update({ reduced: { result, bounds, method, keeping }, progress: this.#isStale ? 0 : null });
     } catch (error) {
       if (!this.#isStale) {
         this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), ofReduction: true });

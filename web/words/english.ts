@@ -232,6 +232,7 @@ export const english = {
     title: 'Report',
     now: (unusual: string[]) => unusual.join(', ') || 'nothing unusual',
     unusual: {
+      vanished: 'regions vanished',
       limited: 'space limited',
       turnedAway: 'more turned away',
       turnedRound: 'turned round',
@@ -247,6 +248,10 @@ export const english = {
       ]
         .filter(Boolean)
         .join(', ') || 'the same everywhere',
+    regions: 'Regions',
+    noRegions: 'none',
+    regionsAre: (kept: string, vanished: string[]) =>
+      `${kept} kept${vanished.length > 0 ? `; vanished: ${vanished.join(', ')}` : ''}`,
     nonManifold: 'Non-manifold vertices',
     featureSize: 'Feature size',
     featureSizeIs: (size: string | null, asked: boolean) =>
