@@ -107,7 +107,7 @@ export class BoundRow extends LitElement {
       <div class="line small">
         <label>
           <input type="checkbox" aria-label=${english.bounds.isBounded(name)} .checked=${live(!free)} @change=${this.#toggle} />
-          <span>
+          <span title=${this.multiplied ? english.bounds.multipliedHint : nothing}>
             ${free ? english.bounds.bounded : english.bounds.by(absolute === undefined ? bound : percentText(fraction), this.multiplied)}
           </span>
         </label>

@@ -1,6 +1,7 @@
 import {
   BufferGeometry,
   Float32BufferAttribute,
+  GreaterDepth,
   Group,
   LineBasicMaterial,
   LineDashedMaterial,
@@ -51,7 +52,13 @@ export class Outline {
   constructor(shining: boolean) {
     if (shining) {
       this.#materials.push(
-        new LineBasicMaterial({ color: 0x808080, depthTest: false, transparent: true, opacity: hiddenOpacity }),
+        new LineBasicMaterial({
+          color: 0x808080,
+          depthFunc: GreaterDepth,
+          depthWrite: false,
+          transparent: true,
+          opacity: hiddenOpacity,
+        }),
       );
     }
     this.object.visible = false;

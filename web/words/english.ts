@@ -166,7 +166,8 @@ export const english = {
     stated: (name: string) => `How the bound of ${name} is stated`,
     bounded: 'bounded',
     isBounded: (name: string) => `${name} bounded`,
-    by: (bound: string, multiplied: boolean) => `bounded by ${bound}${multiplied ? ', multiplied' : ''}`,
+    multipliedHint: 'f multiplies the bounds: see “Finer bounds”.',
+    by: (bound: string, multiplied: boolean) => `bounded by ${bound}${multiplied ? `${space}×${space}f` : ''}`,
     constant: 'constant',
     constantHint: 'Its values differ by rounding only: the percentage is of their magnitude.',
     error: 'error',
@@ -305,7 +306,7 @@ export const english = {
     factor: 'times',
     toPin: 'At the pinned place',
     means:
-      'At each point of the original every bound is multiplied by what stands there: 0.1 makes it ten times finer, 2 twice as loose. Near a place it is the factor within the radius, and rises to 1 at twice the radius. Errors are then compared with the multiplied bounds.',
+      'At each point of the original every bound is multiplied by f, what stands there: 0.1 makes it ten times finer, 2 twice as loose. Near a place it is the factor within the radius, and rises to 1 at twice the radius. Errors are then compared with the multiplied bounds.',
   },
 
   levels: {
