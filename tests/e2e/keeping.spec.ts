@@ -295,6 +295,8 @@ test('what was turned round is said', async () => {
   await expect(group('Report').locator('summary')).toContainText('turned round');
   await open('Report');
   await expect(group('Report')).toContainText('1 triangle turned round');
+  await expect(group('Report')).toContainText(/Turned over 90°\s*0 triangles \(\d+ before\)/);
+  await expect(group('Report')).toContainText(/Folds of the map\s*\d+ of \d+ cells/);
 });
 
 test('the address holds what is kept, and leads to the same result', async ({ browser }) => {

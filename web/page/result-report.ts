@@ -71,11 +71,13 @@ export class ResultReport extends LitElement {
     return words.regionsAre(countText(regions.length - vanished.length), vanished);
   }
 
-  #lines({ turnedAway, dropped, featureSize, oddities, regions, nonManifoldVertices }: Report): [string, string][] {
+  #lines(report: Report): [string, string][] {
+    const { turnedAway, dropped, featureSize, oddities, regions, nonManifoldVertices, cells, foldedCells } = report;
     const { turnedTriangles, unorientableParts } = oddities;
     const size = featureSize === undefined ? null : withUnit(valueText(featureSize), this.unit);
     return [
       [words.turnedAway, words.beforeAndAfter(countText(turnedAway.before), countText(turnedAway.after))],
+      [words.folds, cells > 0 ? words.foldsAre(countText(foldedCells), countText(cells)) : words.noMap],
       [
         words.orientation,
         words.orientationIs(

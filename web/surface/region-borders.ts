@@ -21,8 +21,9 @@ export function regionBorders(mesh: Mesh, regions: Int32Array): Float64Array {
   const ends: number[] = [];
   for (let corner = 0; corner < triangles.length; corner++) {
     const next = corner % 3 === 2 ? corner - 2 : corner + 1;
-    const [low, high] = [triangles[corner], triangles[next]].sort((a, b) => a - b);
-    if (!mixed[low] || !mixed[high]) continue;
+    const [one, other] = [triangles[corner], triangles[next]];
+    if (!mixed[one] || !mixed[other]) continue;
+    const [low, high] = [Math.min(one, other), Math.max(one, other)];
     const edge = (low * position.length) / 3 + high;
     const here = regions[Math.floor(corner / 3)];
     const there = labels.get(edge) ?? here;
@@ -30,5 +31,7 @@ export function regionBorders(mesh: Mesh, regions: Int32Array): Float64Array {
     if (there !== here && !Number.isNaN(there)) ends.push(low, high);
     labels.set(edge, there === here ? here : Number.NaN);
   }
-  return Float64Array.from(ends.flatMap((vertex) => [...position.subarray(3 * vertex, 3 * vertex + 3)]));
+  const places = new Float64Array(3 * ends.length);
+  for (const [i, vertex] of ends.entries()) places.set(position.subarray(3 * vertex, 3 * vertex + 3), 3 * i);
+  return places;
 }

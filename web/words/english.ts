@@ -235,11 +235,14 @@ export const english = {
     unusual: {
       vanished: 'regions vanished',
       limited: 'space limited',
-      turnedAway: 'more turned away',
+      turnedAway: 'more turned over',
       turnedRound: 'turned round',
       oneSided: 'one-sided',
     },
-    turnedAway: 'Turned away',
+    turnedAway: 'Turned over 90°',
+    folds: 'Folds of the map',
+    foldsAre: (folded: string, cells: string) => `${folded} of ${cells} cells`,
+    noMap: 'no map',
     beforeAndAfter: (before: string, after: string) => `${after} triangles (${before} before)`,
     orientation: 'Orientation',
     orientationIs: (turned: string, triangles: number, without: string, parts: number) =>
