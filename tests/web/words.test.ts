@@ -2,6 +2,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
 import { english } from '../../web/words/english.ts';
+import { pageEnglish } from '../../web/words/page-english.ts';
 
 const sources = ['web/element', 'web/page'].flatMap((folder) =>
   readdirSync(folder)
@@ -87,7 +88,7 @@ test('what is a sentence in the sources stands among the words', () => {
 
 test('every word is in use', () => {
   const all = sources.map(({ text }) => text).join('\n');
-  const unused = Object.entries(english).flatMap(([part, words]) =>
+  const unused = [...Object.entries(english), ...Object.entries(pageEnglish)].flatMap(([part, words]) =>
     typeof words === 'function'
       ? []
       : Object.keys(words)

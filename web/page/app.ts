@@ -29,6 +29,7 @@ import './toolbar.ts';
 import type { KeySheet } from './key-sheet.ts';
 import './key-sheet.ts';
 import { english } from '../words/english.ts';
+import { pageEnglish } from '../words/page-english.ts';
 
 /** The whole page around one viewer. */
 export class App extends LitElement {
@@ -162,8 +163,8 @@ export class App extends LitElement {
         @look-from=${({ detail }: CustomEvent<ViewDirection>) => this.viewer.lookFrom(detail)}
       >
         ${this.#shareMenu()}
-        <button aria-label=${english.keys.title} title=${english.keys.hint} @click=${() => this.#toggleKeys()}>
-          ${english.keys.sign}
+        <button aria-label=${pageEnglish.keys.title} title=${pageEnglish.keys.hint} @click=${() => this.#toggleKeys()}>
+          ${pageEnglish.keys.sign}
         </button>
       </meshbound-toolbar>
       <div class="bounds" role="region" aria-label=${english.bounds.title}>
@@ -212,7 +213,7 @@ export class App extends LitElement {
         ${this.#saveMenu(reduced !== null)}
       </meshbound-result-bar>
       <meshbound-key-sheet></meshbound-key-sheet>
-      <div class="drop ${this.#drop.hovering ? 'hovering' : ''}">${english.page.drop}</div>
+      <div class="drop ${this.#drop.hovering ? 'hovering' : ''}">${pageEnglish.page.drop}</div>
     `;
   }
 
@@ -221,11 +222,11 @@ export class App extends LitElement {
     const items: MenuItem[] = [
       ...savedKinds
         .filter((kind) => kind !== 'levels' || hasLevels)
-        .map((kind) => ({ ...english.page.saved[kind], take: () => this.viewer.save(kind) })),
-      { ...english.page.picture, take: () => this.#savePicture(true) },
-      { ...english.page.barePicture, take: () => this.#savePicture(false) },
+        .map((kind) => ({ ...pageEnglish.page.saved[kind], take: () => this.viewer.save(kind) })),
+      { ...pageEnglish.page.picture, take: () => this.#savePicture(true) },
+      { ...pageEnglish.page.barePicture, take: () => this.#savePicture(false) },
     ];
-    return html`<meshbound-menu label=${english.page.save} ?disabled=${!hasResult} .items=${items}></meshbound-menu>`;
+    return html`<meshbound-menu label=${pageEnglish.page.save} ?disabled=${!hasResult} .items=${items}></meshbound-menu>`;
   }
 
   async #savePicture(legends: boolean): Promise<void> {
@@ -238,12 +239,12 @@ export class App extends LitElement {
 
   #shareMenu() {
     const items = [
-      { ...english.page.copyLink, take: this.#copyLink },
-      { ...english.page.copyEmbed, take: () => this.#copy(this.#link.snippet) },
-      { ...english.page.saveState, take: this.#saveState },
-      { ...english.page.loadState, take: this.#browseState },
+      { ...pageEnglish.page.copyLink, take: this.#copyLink },
+      { ...pageEnglish.page.copyEmbed, take: () => this.#copy(this.#link.snippet) },
+      { ...pageEnglish.page.saveState, take: this.#saveState },
+      { ...pageEnglish.page.loadState, take: this.#browseState },
     ];
-    return html`<meshbound-menu label=${english.page.share} .items=${items}></meshbound-menu>`;
+    return html`<meshbound-menu label=${pageEnglish.page.share} .items=${items}></meshbound-menu>`;
   }
 
   #openSample({ address }: Sample): void {
@@ -298,7 +299,7 @@ export class App extends LitElement {
   async #copy(text: string): Promise<string | undefined> {
     try {
       await navigator.clipboard.writeText(text);
-      return english.page.copied;
+      return pageEnglish.page.copied;
     } catch {
       this.viewer.session.report(english.faults.cannotCopy(text));
       return undefined;

@@ -6,7 +6,7 @@ import { controlsStyle } from '../element/controls-style.ts';
 import { percentNumber, percentText, upperText, withUnit } from '../element/number-text.ts';
 import { type BoundSetting, inUnit, parseAmount, parsePercent, tidy, wholeOf } from '../session/bound-setting.ts';
 import './number-field.ts';
-import { english } from '../words/english.ts';
+import { pageEnglish } from '../words/page-english.ts';
 
 /**
  * The bound of one variable and what the result makes of it.
@@ -97,7 +97,7 @@ export class BoundRow extends LitElement {
         ${this.#field()}${this.#unitChoice()}
       </div>
       <meshbound-bound-slider
-        label=${english.bounds.of(name)}
+        label=${pageEnglish.bounds.of(name)}
         spoken="${percentText(fraction)}, ${bound}"
         .fraction=${fraction}
         .used=${free ? 0 : (this.reached?.ratio ?? 0)}
@@ -106,9 +106,9 @@ export class BoundRow extends LitElement {
       ></meshbound-bound-slider>
       <div class="line small">
         <label>
-          <input type="checkbox" aria-label=${english.bounds.isBounded(name)} .checked=${live(!free)} @change=${this.#toggle} />
-          <span title=${this.multiplied ? english.bounds.multipliedHint : nothing}>
-            ${free ? english.bounds.bounded : english.bounds.by(absolute === undefined ? bound : percentText(fraction), this.multiplied)}
+          <input type="checkbox" aria-label=${pageEnglish.bounds.isBounded(name)} .checked=${live(!free)} @change=${this.#toggle} />
+          <span title=${this.multiplied ? pageEnglish.bounds.multipliedHint : nothing}>
+            ${free ? pageEnglish.bounds.bounded : pageEnglish.bounds.by(absolute === undefined ? bound : percentText(fraction), this.multiplied)}
           </span>
         </label>
         ${this.#reached()}
@@ -121,7 +121,7 @@ export class BoundRow extends LitElement {
     const { fraction, absolute, free } = this.setting;
     const percent = absolute === undefined;
     return html`<meshbound-number-field
-      label=${english.bounds.ofIn(name, percent ? english.bounds.percent : (this.unit ?? english.bounds.itsUnit))}
+      label=${pageEnglish.bounds.ofIn(name, percent ? pageEnglish.bounds.percent : (this.unit ?? pageEnglish.bounds.itsUnit))}
       .text=${percent ? percentNumber(fraction) : String(absolute)}
       .parse=${percent ? parsePercent : parseAmount}
       ?disabled=${free}
@@ -134,28 +134,28 @@ export class BoundRow extends LitElement {
     const { absolute, free } = this.setting;
     return html`<select
       class="in"
-      aria-label=${english.bounds.stated(this.variable.name)}
+      aria-label=${pageEnglish.bounds.stated(this.variable.name)}
       ?disabled=${free}
       @change=${this.#restate}
     >
       <option value="percent" .selected=${live(absolute === undefined)}>%</option>
-      <option value="unit" .selected=${live(absolute !== undefined)}>${withUnit('', this.unit).trim() || english.bounds.value}</option>
+      <option value="unit" .selected=${live(absolute !== undefined)}>${withUnit('', this.unit).trim() || pageEnglish.bounds.value}</option>
     </select>`;
   }
 
   #constant() {
     if (!this.variable.constant) return nothing;
-    return html`<span title=${english.bounds.constantHint}>${english.bounds.constant}</span>`;
+    return html`<span title=${pageEnglish.bounds.constantHint}>${pageEnglish.bounds.constant}</span>`;
   }
 
   #reached() {
     if (!this.reached) return nothing;
     return html`<button
       class="error"
-      title=${english.bounds.errorHint}
+      title=${pageEnglish.bounds.errorHint}
       @click=${() => this.dispatchEvent(new CustomEvent('worst-wanted'))}
     >
-      ${english.bounds.error} ${this.measured ? '' : '≤ '}${upperText(this.reached.error)}
+      ${pageEnglish.bounds.error} ${this.measured ? '' : '≤ '}${upperText(this.reached.error)}
     </button>`;
   }
 

@@ -2,7 +2,7 @@ import { css, html, LitElement, svg } from 'lit';
 import { controlsStyle } from '../element/controls-style.ts';
 import { countText, percentText } from '../element/number-text.ts';
 import type { CurvePoint } from '../session/bounds-curve.ts';
-import { english } from '../words/english.ts';
+import { pageEnglish } from '../words/page-english.ts';
 
 /** The drawing, in its own unit: room for numbers on the left and below. */
 const [width, height] = [288, 130];
@@ -79,7 +79,7 @@ export class BoundsChart extends LitElement {
             ></circle>`,
         )}
       </svg>
-      <p class="small soft">${english.chart.what}</p>`;
+      <p class="small soft">${pageEnglish.chart.what}</p>`;
   }
 
   #grid() {
@@ -100,9 +100,9 @@ export class BoundsChart extends LitElement {
 
   #words(): string {
     const points = this.points.map(({ fraction, triangles }) =>
-      english.chart.point(countText(triangles), percentText(fraction)),
+      pageEnglish.chart.point(countText(triangles), percentText(fraction)),
     );
-    return english.chart.points(points);
+    return pageEnglish.chart.points(points);
   }
 
   #x(fraction: number): number {

@@ -21,17 +21,18 @@ import './lock-choice.ts';
 import './result-report.ts';
 import type { Multiplied } from '../probe/multiplied.ts';
 import { english } from '../words/english.ts';
+import { pageEnglish } from '../words/page-english.ts';
 
 /** What the panel asks for: the bound of one variable, the largest of all with the others in proportion, or all. */
 export type BoundChange = { variable: string; setting: BoundSetting } | { all: number } | { bounds: Bounds };
 
 /** Mixes of bounds to begin with. */
 const presets = [
-  { ...english.bounds.presetNames.fine, bounds: 'position: 0.1%; *: 0.3%' },
-  { ...english.bounds.presetNames.usual, bounds: 'position: 1%; *: 3%' },
-  { ...english.bounds.presetNames.coarse, bounds: 'position: 3%; *: 9%' },
-  { ...english.bounds.presetNames.alike, bounds: '*: 1%' },
-  { ...english.bounds.presetNames.shape, bounds: 'position: 1%; *: free' },
+  { ...pageEnglish.bounds.presetNames.fine, bounds: 'position: 0.1%; *: 0.3%' },
+  { ...pageEnglish.bounds.presetNames.usual, bounds: 'position: 1%; *: 3%' },
+  { ...pageEnglish.bounds.presetNames.coarse, bounds: 'position: 3%; *: 9%' },
+  { ...pageEnglish.bounds.presetNames.alike, bounds: '*: 1%' },
+  { ...pageEnglish.bounds.presetNames.shape, bounds: 'position: 1%; *: free' },
 ];
 
 /**
@@ -182,10 +183,10 @@ export class BoundsPanel extends LitElement {
 
   #steps() {
     const step = (event: 'undo' | 'redo', sign: string, keys: string, possible: boolean) => {
-      const name = english.bounds[event];
+      const name = pageEnglish.bounds[event];
       return html`<button
         aria-label=${name}
-        title=${english.bounds.stepHint(name, keys)}
+        title=${pageEnglish.bounds.stepHint(name, keys)}
         ?disabled=${!possible}
         @click=${() => this.dispatchEvent(new CustomEvent(event))}
       >
@@ -201,19 +202,19 @@ export class BoundsPanel extends LitElement {
       title,
       take: () => this.#change({ bounds: readBounds(bounds) }),
     }));
-    return html`<meshbound-menu label=${english.bounds.presets} .items=${items}></meshbound-menu>`;
+    return html`<meshbound-menu label=${pageEnglish.bounds.presets} .items=${items}></meshbound-menu>`;
   }
 
   #all() {
     const fraction = largestFraction(this.bounds);
     const input = ({ detail }: CustomEvent<number>) => this.#change({ all: detail });
     return html`<div class="all">
-      <span title=${english.bounds.allHint}>
-        ${english.bounds.all} <span class="small soft">${english.bounds.inProportion}</span>
+      <span title=${pageEnglish.bounds.allHint}>
+        ${pageEnglish.bounds.all} <span class="small soft">${pageEnglish.bounds.inProportion}</span>
       </span>
       <span>
         <meshbound-number-field
-          label=${english.bounds.largestInPercent}
+          label=${pageEnglish.bounds.largestInPercent}
           .text=${percentNumber(fraction)}
           .parse=${parsePercent}
           @number-input=${input}
@@ -252,7 +253,7 @@ export class BoundsPanel extends LitElement {
         this.spreadShown = (target as HTMLDetailsElement).open;
       }}
     >
-      <summary>${english.spread.title}</summary>
+      <summary>${pageEnglish.spread.title}</summary>
       ${
         this.spreadShown
           ? html`<meshbound-error-spread
@@ -266,7 +267,7 @@ export class BoundsPanel extends LitElement {
 
   #chart() {
     return html`<details class="chart" @toggle=${this.#toggleChart}>
-      <summary>${english.chart.title}</summary>
+      <summary>${pageEnglish.chart.title}</summary>
       <meshbound-bounds-chart
         .points=${this.curve}
         .present=${largestFraction(this.bounds)}

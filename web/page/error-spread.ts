@@ -5,14 +5,14 @@ import { countText, percentText } from '../element/number-text.ts';
 import { isMeasured } from '../element/promise-words.ts';
 import { type ErrorHistogram, errorHistograms, histogramBins, quantile } from '../probe/error-histogram.ts';
 import type { Multiplied } from '../probe/multiplied.ts';
-import { english } from '../words/english.ts';
+import { pageEnglish } from '../words/page-english.ts';
 
 /** Of a drawing, in its own unit. */
 const [width, height] = [280, 32];
 
 function foldsText({ cells, foldedCells }: Report): string {
   const share = foldedCells > 0 ? percentText(foldedCells / cells) : null;
-  return english.spread.folds(countText(cells), countText(foldedCells), share);
+  return pageEnglish.spread.folds(countText(cells), countText(foldedCells), share);
 }
 
 /** How the errors of each variable are spread over the surface: a histogram of error / bound by area. */
@@ -81,19 +81,19 @@ export class ErrorSpread extends LitElement {
     if (!reduction) return nothing;
     return html`
       ${reduction.report.variables.map((variable, index) => this.#drawing(variable, this.#histograms[index]))}
-      <div class="ends small soft"><span>0</span><span>${english.spread.axis}</span><span>1</span></div>
-      <p class="small soft">${english.spread.what(isMeasured(reduction))}</p>
+      <div class="ends small soft"><span>0</span><span>${pageEnglish.spread.axis}</span><span>1</span></div>
+      <p class="small soft">${pageEnglish.spread.what(isMeasured(reduction))}</p>
       ${reduction.report.cells > 0 ? html`<p class="folds small soft">${foldsText(reduction.report)}</p>` : nothing}
     `;
   }
 
   #drawing({ name, ratio }: VariableReport, histogram: ErrorHistogram | null) {
     if (!histogram)
-      return html`<div class="name small"><span>${name}</span><span class="soft">${english.spread.free}</span></div>`;
+      return html`<div class="name small"><span>${name}</span><span class="soft">${pageEnglish.spread.free}</span></div>`;
     const [half, most] = [0.5, 0.95].map((share) => percentText(quantile(histogram, share)));
-    const words = english.spread.long(half, most);
+    const words = pageEnglish.spread.long(half, most);
     return html`<div class="name small" title=${words}>
-        <span>${name}</span><span class="quantiles soft">${english.spread.short(half, most)}</span>
+        <span>${name}</span><span class="quantiles soft">${pageEnglish.spread.short(half, most)}</span>
       </div>
       <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label="${name}: ${words}">
         ${this.#parts(histogram)}

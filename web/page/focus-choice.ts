@@ -4,7 +4,7 @@ import type { FocusPoint } from '../session/focus-point.ts';
 import { type Keeping, nothingKept } from '../session/keeping.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { spanOf } from '../surface/value-span.ts';
-import { english } from '../words/english.ts';
+import { pageEnglish } from '../words/page-english.ts';
 import { choice, tick } from './group-controls.ts';
 import { groupStyle } from './group-style.ts';
 import { numberInput } from './number-input.ts';
@@ -46,15 +46,15 @@ export class FocusChoice extends LitElement {
     const { focus, focusPoint } = this.keeping;
     return html`<details @toggle=${() => this.scrollIntoView({ block: 'nearest' })}>
       <summary>
-        ${english.focus.title}
-        <span class="small soft">${english.focus.now(focus, focusPoint && String(focusPoint.factor))}</span>
+        ${pageEnglish.focus.title}
+        <span class="small soft">${pageEnglish.focus.now(focus, focusPoint && String(focusPoint.factor))}</span>
       </summary>
       ${this.#variable()}
-      ${tick(english.focus.point, focusPoint !== null, (wanted) =>
+      ${tick(pageEnglish.focus.point, focusPoint !== null, (wanted) =>
         this.#change({ focusPoint: wanted ? this.#proposed() : null }),
       )}
       ${focusPoint ? this.#point(focusPoint) : nothing}
-      <p class="small soft">${english.focus.means}</p>
+      <p class="small soft">${pageEnglish.focus.means}</p>
     </details>`;
   }
 
@@ -62,27 +62,27 @@ export class FocusChoice extends LitElement {
     const { focus } = this.keeping;
     const able = this.#ableNames();
     const names = focus === null || able.includes(focus) ? able : [focus, ...able];
-    if (names.length === 0) return html`<p class="small soft">${english.focus.noVariable}</p>`;
-    const options = [['', english.focus.nothing], ...names.map((name) => [name, name])];
-    return choice(english.focus.variable, options, focus ?? '', (name) => this.#change({ focus: name || null }));
+    if (names.length === 0) return html`<p class="small soft">${pageEnglish.focus.noVariable}</p>`;
+    const options = [['', pageEnglish.focus.nothing], ...names.map((name) => [name, name])];
+    return choice(pageEnglish.focus.variable, options, focus ?? '', (name) => this.#change({ focus: name || null }));
   }
 
   #point(focus: FocusPoint) {
     const size = this.#size;
     const place = (axis: number) =>
-      numberInput(english.focus.at('xyz'[axis]), focus.point[axis], size, (value) => {
+      numberInput(pageEnglish.focus.at('xyz'[axis]), focus.point[axis], size, (value) => {
         const [x, y, z] = focus.point.map((each, i) => (i === axis ? value : each));
         return this.#take({ ...focus, point: [x, y, z] });
       });
     return html`<div class="places">
-        <span class="small">${english.focus.place}</span>${[0, 1, 2].map(place)}
-        <span class="small">${english.focus.radius}</span>
-        ${numberInput(english.focus.radius, focus.radius, size / 4, (radius) => this.#take({ ...focus, radius }))}
-        <span class="small">${english.focus.factor}</span>
-        ${numberInput(english.focus.factor, focus.factor, 1, (factor) => this.#take({ ...focus, factor }))}
+        <span class="small">${pageEnglish.focus.place}</span>${[0, 1, 2].map(place)}
+        <span class="small">${pageEnglish.focus.radius}</span>
+        ${numberInput(pageEnglish.focus.radius, focus.radius, size / 4, (radius) => this.#take({ ...focus, radius }))}
+        <span class="small">${pageEnglish.focus.factor}</span>
+        ${numberInput(pageEnglish.focus.factor, focus.factor, 1, (factor) => this.#take({ ...focus, factor }))}
       </div>
-      <button ?disabled=${!this.pinned} title=${english.pin.hint} @click=${() => this.#toPin(focus)}>
-        ${english.focus.toPin}
+      <button ?disabled=${!this.pinned} title=${pageEnglish.pin.hint} @click=${() => this.#toPin(focus)}>
+        ${pageEnglish.focus.toPin}
       </button>`;
   }
 

@@ -1,6 +1,6 @@
 import { css, html, LitElement } from 'lit';
 import { controlsStyle } from '../element/controls-style.ts';
-import { english } from '../words/english.ts';
+import { pageEnglish } from '../words/page-english.ts';
 
 /** The keys, in a dialogue. */
 export class KeySheet extends LitElement {
@@ -31,9 +31,9 @@ export class KeySheet extends LitElement {
 
   override render() {
     return html`<dialog aria-labelledby="title">
-      <h2 id="title">${english.keys.title}</h2>
-      <dl>${english.keys.list.map(([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`)}</dl>
-      <button @click=${() => this.#dialog.close()}>${english.keys.close}</button>
+      <h2 id="title">${pageEnglish.keys.title}</h2>
+      <dl>${pageEnglish.keys.list.map(([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`)}</dl>
+      <button @click=${() => this.#dialog.close()}>${pageEnglish.keys.close}</button>
     </dialog>`;
   }
 

@@ -6,6 +6,7 @@ import { type Keeping, nothingKept } from '../session/keeping.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { type ComponentSpan, spanOf } from '../surface/value-span.ts';
 import { english } from '../words/english.ts';
+import { pageEnglish } from '../words/page-english.ts';
 import { choice, tick } from './group-controls.ts';
 import { groupStyle } from './group-style.ts';
 import { numberInput } from './number-input.ts';
@@ -67,38 +68,41 @@ export class LockChoice extends LitElement {
     const { lockBox, regions, lockRegions } = this.keeping;
     return html`<details @toggle=${() => this.scrollIntoView({ block: 'nearest' })}>
       <summary>
-        ${english.locks.title}
-        <span class="small soft">${english.locks.now(lockBox !== null, lockRegions.length, regions)}</span>
+        ${pageEnglish.locks.title}
+        <span class="small soft">${pageEnglish.locks.now(lockBox !== null, lockRegions.length, regions)}</span>
       </summary>
-      ${tick(english.locks.box, lockBox !== null, (wanted) => this.#change({ lockBox: wanted ? this.#proposedBox() : null }))}
+      ${tick(pageEnglish.locks.box, lockBox !== null, (wanted) => this.#change({ lockBox: wanted ? this.#proposedBox() : null }))}
       ${lockBox ? this.#box(lockBox) : nothing}
-      <p class="small soft">${english.locks.boxMeans}</p>
+      <p class="small soft">${pageEnglish.locks.boxMeans}</p>
       ${this.#regions()}
     </details>`;
   }
 
   #box(box: Box) {
-    const row = (end: 'lowest' | 'highest') => html`<span class="small">${english.locks[end]}</span>
+    const row = (end: 'lowest' | 'highest') => html`<span class="small">${pageEnglish.locks[end]}</span>
       ${axes.map((axis) =>
-        numberInput(english.locks.place(english.locks[end], 'xyz'[axis]), box[end][axis], this.#size(axis), (value) =>
-          this.#move(box, end, axis, value),
+        numberInput(
+          pageEnglish.locks.place(pageEnglish.locks[end], 'xyz'[axis]),
+          box[end][axis],
+          this.#size(axis),
+          (value) => this.#move(box, end, axis, value),
         ),
       )}`;
     return html`<div class="places">${row('lowest')}${row('highest')}</div>
-      <button ?disabled=${!this.pinned} title=${english.pin.hint} @click=${() => this.#change({ lockBox: this.#proposedBox() })}>
-        ${english.locks.aroundPin}
+      <button ?disabled=${!this.pinned} title=${pageEnglish.pin.hint} @click=${() => this.#change({ lockBox: this.#proposedBox() })}>
+        ${pageEnglish.locks.aroundPin}
       </button>`;
   }
 
   #regions() {
     const arrays = [...(this.surface?.regions?.keys() ?? [])];
     const { regions } = this.keeping;
-    if (arrays.length === 0 && regions === null) return html`<p class="small soft">${english.locks.noRegions}</p>`;
+    if (arrays.length === 0 && regions === null) return html`<p class="small soft">${pageEnglish.locks.noRegions}</p>`;
     const names = regions === null || arrays.includes(regions) ? arrays : [regions, ...arrays];
-    const options = [['', english.locks.none], ...names.map((name) => [name, name])];
+    const options = [['', pageEnglish.locks.none], ...names.map((name) => [name, name])];
     return html`
-      ${choice(english.locks.regions, options, regions ?? '', (name) => this.#change({ regions: name || null, lockRegions: [] }))}
-      <p class="small soft">${english.locks.regionsMean}</p>
+      ${choice(pageEnglish.locks.regions, options, regions ?? '', (name) => this.#change({ regions: name || null, lockRegions: [] }))}
+      <p class="small soft">${pageEnglish.locks.regionsMean}</p>
       ${regions === null ? nothing : this.#labels(regions)}
     `;
   }
@@ -108,7 +112,7 @@ export class LockChoice extends LitElement {
     const labels = this.#labelsOf(name);
     if (labels.length === 0) return nothing;
     return html`<fieldset>
-      <legend class="small">${english.locks.lockRegions}</legend>
+      <legend class="small">${pageEnglish.locks.lockRegions}</legend>
       ${labels.map(
         ([label, triangles]) =>
           html`<span title="${countText(triangles)} ${english.triangles(triangles)}"

@@ -1,7 +1,7 @@
 import { html, LitElement, nothing } from 'lit';
 import { controlsStyle } from '../element/controls-style.ts';
 import type { Method } from '../session/method.ts';
-import { english } from '../words/english.ts';
+import { pageEnglish } from '../words/page-english.ts';
 import { choice, tick } from './group-controls.ts';
 import { groupStyle } from './group-style.ts';
 
@@ -20,34 +20,37 @@ export class MethodChoice extends LitElement {
   override render() {
     return html`<details @toggle=${() => this.scrollIntoView({ block: 'nearest' })}>
       <summary
-        >${english.method.title} <span class="small soft">${english.method.now(this.method.errors, this.#ticked())}</span></summary
+        >${pageEnglish.method.title} <span class="small soft">${pageEnglish.method.now(this.method.errors, this.#ticked())}</span></summary
       >
       ${choice(
-        english.method.errors,
-        Object.keys(english.method.means).map((name) => [name, name]),
+        pageEnglish.method.errors,
+        Object.keys(pageEnglish.method.means).map((name) => [name, name]),
         this.method.errors,
         (chosen) => this.#change({ errors: chosen as Method['errors'] }),
       )}
       ${
         this.method.errors === 'propagated'
-          ? choice(english.method.keepsSmall, Object.entries(english.method.costs), this.method.cost, (chosen) =>
-              this.#change({ cost: chosen as Method['cost'] }),
+          ? choice(
+              pageEnglish.method.keepsSmall,
+              Object.entries(pageEnglish.method.costs),
+              this.method.cost,
+              (chosen) => this.#change({ cost: chosen as Method['cost'] }),
             )
           : nothing
       }
-      <p class="small soft">${english.method.means[this.method.errors]}</p>
-      ${tick(english.method.refusePiercing, this.method.refusePiercing, (refusePiercing) => this.#change({ refusePiercing }))}
-      ${tick(english.method.limitToFeatureSize, this.method.limitToFeatureSize, (limitToFeatureSize) =>
+      <p class="small soft">${pageEnglish.method.means[this.method.errors]}</p>
+      ${tick(pageEnglish.method.refusePiercing, this.method.refusePiercing, (refusePiercing) => this.#change({ refusePiercing }))}
+      ${tick(pageEnglish.method.limitToFeatureSize, this.method.limitToFeatureSize, (limitToFeatureSize) =>
         this.#change({ limitToFeatureSize }),
       )}
-      <p class="small soft">${english.method.nearParts}</p>
-      ${tick(english.method.dropSmallParts, this.method.dropSmallParts, (dropSmallParts) => this.#change({ dropSmallParts }))}
-      <p class="small soft">${english.method.smallParts}</p>
+      <p class="small soft">${pageEnglish.method.nearParts}</p>
+      ${tick(pageEnglish.method.dropSmallParts, this.method.dropSmallParts, (dropSmallParts) => this.#change({ dropSmallParts }))}
+      <p class="small soft">${pageEnglish.method.smallParts}</p>
     </details>`;
   }
 
   #ticked(): string[] {
-    const { short } = english.method;
+    const { short } = pageEnglish.method;
     return (Object.keys(short) as (keyof typeof short)[])
       .filter((name) => this.method[name])
       .map((name) => short[name]);

@@ -3,10 +3,10 @@ import type { RegionReport, Report } from '../../wasm/types.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import { countText, valueText, withUnit } from '../element/number-text.ts';
 import { firstMethod, type Method } from '../session/method.ts';
-import { english } from '../words/english.ts';
+import { pageEnglish } from '../words/page-english.ts';
 import { groupStyle } from './group-style.ts';
 
-const words = english.report;
+const words = pageEnglish.report;
 
 /** What the report says of the surface's shape beside bounds and errors, out of the way until it is opened. */
 export class ResultReport extends LitElement {

@@ -6,7 +6,7 @@ import { firstView, type ViewSettings, type WantedView } from '../element/view-s
 import { formatNames } from '../formats/format-names.ts';
 import type { BoundSettings } from '../session/bound-setting.ts';
 import type { Opening, OpenSurface } from '../session/session.ts';
-import { english } from '../words/english.ts';
+import { pageEnglish } from '../words/page-english.ts';
 import type { Sample } from './samples.ts';
 
 /** What the file dialogue offers: a glTF may also be text, and all may be packed. The content of a file decides what it is. */
@@ -92,7 +92,7 @@ export class Toolbar extends LitElement {
 
   override render() {
     return html`
-      <h1>${english.page.title}</h1>
+      <h1>${pageEnglish.page.title}</h1>
       <div class="group">${this.#fileControls()}</div>
       <meshbound-view-controls
         .surface=${this.surface}
@@ -109,12 +109,12 @@ export class Toolbar extends LitElement {
   #fileControls() {
     const open = this.surface?.address;
     return html`
-      <button @click=${this.browse}>${english.page.open}</button>
+      <button @click=${this.browse}>${pageEnglish.page.open}</button>
       <input type="file" hidden multiple accept=${offeredEndings} @change=${this.#openFiles} />
       <label>
-        <span class="soft">${english.page.sample}</span>
+        <span class="soft">${pageEnglish.page.sample}</span>
         <select @change=${this.#openSample}>
-          <option value="" disabled .selected=${live(!this.samples.some(({ address }) => address === open))}>${english.page.chooseSample}</option>
+          <option value="" disabled .selected=${live(!this.samples.some(({ address }) => address === open))}>${pageEnglish.page.chooseSample}</option>
           ${this.samples.map(
             ({ name, title, address }) =>
               html`<option value=${name} .selected=${live(address === open)}>${title}</option>`,
