@@ -121,7 +121,7 @@ export interface Report {
     unusedVertices: number;
     /** Triangles that face the other side than most around them: turned round. */
     turnedTriangles: number;
-    /** Parts without two sides (a Möbius band), left as they are, and the first triangle of the first of them. */
+    /** Parts without two sides (a Möbius band), oriented up to a line across them, and the first triangle of the first of them. */
     unorientableParts: number;
     unorientableTriangle?: number;
   };

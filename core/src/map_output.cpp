@@ -16,6 +16,20 @@ MapPlace place_on(std::uint32_t h, double share, const std::vector<std::uint32_t
     return place;
 }
 
+/// Of a vertex on an edge neither end has less than this, which is lost beside 1: so that the only weight of 0 tells which edge
+/// of the triangle it lies on, also where its share is 0 or 1 by rounding.
+constexpr double least_weight = 1e-300;
+
+/// The place of a vertex that was put on the edge of half-edge h.
+MapPlace place_between(std::uint32_t h, double share, const std::vector<std::uint32_t>& renamed_triangle) {
+    MapPlace place = place_on(h, share, renamed_triangle);
+    for (const std::uint32_t end : {h, Surface::next(h)}) {
+        double& weight = place.barycentric[static_cast<int>(end % 3)];
+        weight = std::max(weight, least_weight);
+    }
+    return place;
+}
+
 void place_residents(const Surface& surface, const Residents& residents, std::uint32_t slot,
                      const std::vector<std::uint32_t>& renamed_triangle, SurfaceMap& map) {
     for (std::uint32_t v = residents.in_triangle(slot); v != no_index; v = residents.next(v))
@@ -25,7 +39,7 @@ void place_residents(const Surface& surface, const Residents& residents, std::ui
         const bool canonical = surface.origin(h) < surface.target(h);
         for (std::uint32_t v = residents.on_edge(surface.edge(h)); v != no_index; v = residents.next(v))
             map.places[surface.input(v)] =
-                place_on(h, canonical ? residents.share(v) : 1 - residents.share(v), renamed_triangle);
+                place_between(h, canonical ? residents.share(v) : 1 - residents.share(v), renamed_triangle);
     }
 }
 

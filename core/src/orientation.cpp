@@ -59,6 +59,23 @@ public:
     /// Whether a triangle is turned away from the first one of its part.
     bool away(std::uint32_t triangle) const { return sides_[triangle] == 1; }
 
+    /// Of the edges of the part walked over last, twice each: between how many of its triangles the sides change as given, and
+    /// once those are turned that are turned away.
+    struct Discord {
+        std::size_t given = 0, left = 0;
+    };
+    Discord discord() const {
+        Discord discord;
+        for (const std::uint32_t triangle : part_)
+            for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+                const Neighbour& to = neighbours_[h];
+                if (to.triangle == no_neighbour) continue;
+                discord.given += to.discordant;
+                discord.left += to.discordant != (sides_[triangle] != sides_[to.triangle]);
+            }
+        return discord;
+    }
+
 private:
     static constexpr char unknown = 2;
 
@@ -89,7 +106,7 @@ Orientation orient(const std::vector<glm::uvec3>& triangles, std::size_t vertice
         const std::vector<std::uint32_t>& part = walk.part_of(first);
         if (!walk.orientable()) {
             if (result.unorientable_parts++ == 0) result.unorientable_triangle = first;
-            continue;
+            if (const Walk::Discord discord = walk.discord(); discord.left >= discord.given) continue;
         }
         std::size_t away = 0;
         for (const std::uint32_t triangle : part) away += walk.away(triangle);

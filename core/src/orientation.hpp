@@ -13,12 +13,13 @@ namespace meshbound {
 struct Orientation {
     std::vector<glm::uvec3> triangles;  ///< all of them, in their order; a turned one has its last two corners swapped
     std::size_t turned = 0;             ///< how many were turned
-    std::size_t unorientable_parts = 0; ///< parts that have no consistent orientation (a Möbius band): left as they are
+    std::size_t unorientable_parts = 0; ///< parts that have no consistent orientation (a Möbius band): as far as can be
     std::size_t unorientable_triangle{}; ///< of the first of them its first triangle
 };
 
 /// Orients a mesh part by part; a part is what hangs together over edges of just two triangles. Within a part those
-/// triangles are turned that are fewer.
+/// triangles are turned that are fewer. Where there is no consistent orientation, neighbours agree but across a line on which
+/// the walk over the part closes; unless they agree better as they are given.
 Orientation orient(const std::vector<glm::uvec3>& triangles, std::size_t vertices);
 
 /// What there is to tell of it.

@@ -52,7 +52,7 @@ bool cut_into_cells(const MappedSurfaces& surfaces, Segmentation& segmentation, 
     const std::vector<glm::uvec3>& triangles = surfaces.original.triangles;
     const Faces faces(surfaces.reduced);
     const Outlines outlines(surfaces, faces);
-    CellCutter cutter(faces);
+    CellCutter cutter(faces, surfaces.original.regions);
     Outline outline;
     for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle) {
         if (repeats_vertex(triangles[triangle])) continue;
@@ -139,6 +139,7 @@ void segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const P
     Mesh turned;
     turned.position = surfaces.original.position;
     turned.triangles = std::move(orientation.triangles);
+    turned.regions = surfaces.original.regions;
     segment_oriented({turned, surfaces}, segmentation, progress);
 }
 

@@ -151,8 +151,16 @@ std::uint32_t CellCutter::triangle_that_holds(Step from, Step to) const {
     add_step(to);
     if (corners.size() < 2) return nowhere; // no room for a cell
     if (corners.size() > 2) return faces_->of(corners[0], corners[1], corners[2]);
-    const std::uint32_t left = faces_->left_of(corners.front(), corners.back());
-    return left != nowhere ? left : faces_->left_of(corners.back(), corners.front());
+    return triangle_beside(corners.front(), corners.back());
+}
+
+/// A reduced triangle with this edge, of the original triangle's region if there is one.
+std::uint32_t CellCutter::triangle_beside(std::uint32_t a, std::uint32_t b) const {
+    const std::uint32_t left = faces_->left_of(a, b), right = faces_->left_of(b, a);
+    if (left == nowhere || right == nowhere) return left != nowhere ? left : right;
+    const bool is_right = !regions_->empty() && faces_->region(right) == (*regions_)[triangle_] &&
+                          faces_->region(left) != (*regions_)[triangle_];
+    return is_right ? right : left;
 }
 
 /// The cell of a run, or of all that is left if its ends are one. Two steps leave no room for a cell between them.

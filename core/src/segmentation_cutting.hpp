@@ -26,7 +26,9 @@ namespace meshbound {
 /// sides.
 class CellCutter {
 public:
-    explicit CellCutter(const Faces& reduced_faces) : faces_(&reduced_faces) {}
+    /// The regions are those of the original; none, if it has none.
+    CellCutter(const Faces& reduced_faces, const std::vector<std::int32_t>& regions)
+        : faces_(&reduced_faces), regions_(&regions) {}
 
     /// Adds the cells of an original triangle to the segmentation, without pieces. The outline is used up.
     void cut(std::uint32_t triangle, Outline& outline, Segmentation& segmentation);
@@ -45,10 +47,12 @@ private:
     bool ends_at(Step crossing, Step kept) const;
     std::uint32_t triangle_of_run(Step from, Step to) const;
     std::uint32_t triangle_that_holds(Step from, Step to) const;
+    std::uint32_t triangle_beside(std::uint32_t a, std::uint32_t b) const;
     void cut_off(Step from, Step to);
     void add_cell(Step from, Step to, std::uint32_t reduced);
 
     const Faces* faces_;
+    const std::vector<std::int32_t>* regions_;
     std::uint32_t triangle_ = 0;
     Outline* outline_ = nullptr;
     Segmentation* out_ = nullptr;

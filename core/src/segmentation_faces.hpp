@@ -25,6 +25,9 @@ public:
     /// is in a triangle of each sheet.
     bool is_curve(std::uint32_t a, std::uint32_t b) const;
 
+    /// The label of a triangle; 0 where there are none.
+    std::int32_t region(std::uint32_t triangle) const { return regions_->empty() ? 0 : (*regions_)[triangle]; }
+
 private:
     std::size_t count(std::uint32_t from, std::uint32_t to) const;
     std::uint32_t oriented(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;

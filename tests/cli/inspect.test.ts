@@ -24,6 +24,7 @@ test('--json tells counts, topology and variables', async () => {
     components: 1,
     boundaryLoops: 1,
     nonManifoldEdges: 0,
+    discordantEdges: 0,
     nonManifoldVertices: 0,
     notes: [],
   });

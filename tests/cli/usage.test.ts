@@ -53,6 +53,7 @@ const usageFaults: Case[] = [
     '3 levels, but this has bounds for 2',
   ],
   [['reduce', 'in.vtp', ...toOut, ...bound, '-b', 'pressure=1%,2%'], '“1%,2%” is not a number'],
+  [['reduce', 'in.vtp', ...toOut, '-b', '*=1%', '--lock-region', '3'], '--lock-region goes with --region NAME'],
   [['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '--map', 'm.vtp'], '--map goes with one result'],
   [
     ['reduce', 'in.vtp', ...toOut, ...bound, '--errors', 'propagated', '--map', 'm.vtp'],

@@ -17,6 +17,7 @@
 #include "map_certificate.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/oddities.hpp"
+#include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
@@ -220,6 +221,47 @@ TEST_P(Curves, TheSegmentationKnowsTheSheets) {
                 EXPECT_EQ(mesh.regions[cell.original], reduction.mesh.regions[cell.reduced]);
             }
     }
+}
+
+void expect_cells_in_their_regions(const Mesh& mesh, const Reduction& reduction) {
+    Segmentation segmentation;
+    segment({mesh, reduction}, segmentation);
+    for (const SegmentationCell& cell : segmentation.cells) {
+        ASSERT_LT(cell.reduced, reduction.mesh.triangles.size());
+        EXPECT_EQ(mesh.regions[cell.original], reduction.mesh.regions[cell.reduced]);
+    }
+}
+
+/// Of a border both sides have a triangle, so a cell that is flattened onto it could be of either.
+TEST_P(Curves, TheSegmentationKnowsTheSideOfAFlatCell) {
+    if (GetParam().options().errors != Errors::tracked) return;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE(seed);
+        const Mesh mesh = labelled(meshes::jittered(meshes::plane(10, 10), 0.15, seed), noise);
+        expect_cells_in_their_regions(mesh, reduce(mesh, promise::percent(20, 50)));
+    }
+}
+
+/// Found by the fuzzer: put on the very end of an edge of a curve, in which other curves end, a vertex seemed to be on one of
+/// those, and cells of its sheet found no triangle.
+TEST_P(Curves, TheSegmentationKnowsTheCurveOfAVertexAtItsEnd) {
+    if (GetParam().options().errors != Errors::tracked) return;
+    std::size_t at_ends = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        SCOPED_TRACE(seed);
+        meshes::Random random(seed);
+        const auto number = [&random] { return random.uniform(-16, 16) * (random.below(8) == 0 ? 1e30 : 1); };
+        Mesh mesh =
+            meshes::mapped(meshes::plane(5, 5), [&](glm::dvec3) { return glm::dvec3(number(), number(), number()); });
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            mesh.regions.push_back(static_cast<std::int32_t>(random.below(3)));
+        const Reduction reduction = reduce(mesh, {{"position", relative(0.5)}});
+        for (const MapPlace& place : reduction.map.places)
+            at_ends += std::max({place.barycentric.x, place.barycentric.y, place.barycentric.z}) == 1;
+        at_ends -= reduction.vertices.size();
+        expect_cells_in_their_regions(mesh, reduction);
+    }
+    EXPECT_GT(at_ends, 0U);
 }
 
 /// Two halves with vertices of their own along the cut, where "side" jumps.

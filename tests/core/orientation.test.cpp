@@ -124,6 +124,21 @@ TEST_P(Orientation, WhatHasNoTwoSidesIsLeftAsItIsAndSaid) {
     EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() * 2 / 3);
 }
 
+TEST_P(Orientation, ADisorderedBandIsReducedLikeOneInOrder) {
+    const Mesh band = with_fields(meshes::moebius_band(40, 6));
+    Mesh disordered = band;
+    turn_some(disordered, 0.3, 7);
+    const Reduction reduction = reduce(disordered);
+    EXPECT_EQ(reduction.report.oddities.unorientable_parts, 1U);
+    EXPECT_GT(reduction.report.oddities.turned_triangles, 0U);
+    promise::expect_judge_agrees(band, reduction);
+    EXPECT_EQ(meshes::topology(reduction.mesh).euler, meshes::topology(band).euler);
+    EXPECT_EQ(meshes::topology(reduction.mesh).boundary_loops, 1U);
+    const std::size_t in_order = reduce(band).mesh.triangles.size();
+    EXPECT_LT(double(reduction.mesh.triangles.size()), 1.5 * double(in_order)) << "the line is no straight one";
+    EXPECT_EQ(reduce(band).report.oddities.turned_triangles, 0U) << "it is in as good an order as can be";
+}
+
 TEST_P(Orientation, TrianglesWithAVertexTwiceStandInNobodysWay) {
     Mesh mesh = with_fields(meshes::plane(8, 8));
     std::swap(mesh.triangles[20].x, mesh.triangles[20].y);

@@ -386,7 +386,7 @@ protected:
         fan.triangles = fan_;
         const Faces faces(fan);
         Segmentation segmentation;
-        CellCutter(faces).cut(0, outline_, segmentation);
+        CellCutter(faces, fan.regions).cut(0, outline_, segmentation);
         Cells cells;
         for (const SegmentationCell& cell : segmentation.cells) {
             const auto first = segmentation.corners.begin() + cell.first_corner;

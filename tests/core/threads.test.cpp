@@ -155,6 +155,27 @@ TEST(ThreadsOfPiercingTest, AnyNumberGivesTheSameBytes) {
     for (const unsigned threads : {2U, 5U}) expect_same(alone, reduced_by(threads, given, options));
 }
 
+/// Labels, a seam, bounds that vary and locks at once, with and without piercing.
+TEST(ThreadsOfEverythingKeptTest, AnyNumberGivesTheSameBytes) {
+    const Mesh plain = meshes::terrain(7, 5);
+    Mesh mesh = meshes::joined(meshes::cut(plain, [](glm::dvec3 p) { return p.x < 0.5; }),
+                               meshes::cut(plain, [](glm::dvec3 p) { return !(p.x < 0.5); }));
+    meshes::add_scalar(mesh, "fineness", [](glm::dvec3 p) { return 0.1 + p.y; });
+    for (const glm::uvec3& t : mesh.triangles) mesh.regions.push_back(meshes::point(mesh, t.x).y < 0.4 ? 1 : 2);
+    const Case given{"terrain", mesh, {{"position", relative(0.02)}}};
+    Options options;
+    options.focus = "fineness";
+    options.locked_boxes = {{{0.1, 0.1, -9}, {0.2, 0.2, 9}}};
+    for (const bool refuse : {false, true}) {
+        options.refuse_piercing = refuse;
+        const Reduction alone = reduced_by(1, given, options);
+        EXPECT_LT(alone.mesh.triangles.size(), mesh.triangles.size() / 2);
+        const Reduction together = reduced_by(4, given, options);
+        expect_same(alone, together);
+        EXPECT_EQ(alone.mesh.regions, together.mesh.regions);
+    }
+}
+
 TEST(ThreadsOfLevelsTest, AnyNumberGivesTheSameLevelsAndMorphs) {
     const Case given = cases().front();
     const auto levels_by = [&](unsigned threads) {

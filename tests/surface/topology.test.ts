@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { topologyOf } from '../../web/surface/topology.ts';
 
-const manifold = { nonManifoldEdges: 0, nonManifoldVertices: 0 };
+const manifold = { nonManifoldEdges: 0, discordantEdges: 0, nonManifoldVertices: 0 };
 
 function topology(...triangles: [number, number, number][]) {
   const corners = Uint32Array.from(triangles.flat());
@@ -50,6 +50,7 @@ test('two triangles that touch in a vertex: one component, two loops, one vertex
     components: 1,
     boundaryLoops: 2,
     nonManifoldEdges: 0,
+    discordantEdges: 0,
     nonManifoldVertices: 1,
   });
 });
@@ -58,12 +59,13 @@ test('an edge of three triangles is not manifold', () => {
   expect(topology([0, 1, 2], [1, 0, 3], [0, 1, 4])).toMatchObject({
     components: 1,
     nonManifoldEdges: 1,
+    discordantEdges: 0,
     nonManifoldVertices: 0,
   });
 });
 
 test('nor is an edge whose two triangles disagree about the orientation', () => {
-  expect(topology([0, 1, 2], [0, 1, 3])).toMatchObject({ boundaryLoops: 1, nonManifoldEdges: 1 });
+  expect(topology([0, 1, 2], [0, 1, 3])).toMatchObject({ boundaryLoops: 1, nonManifoldEdges: 1, discordantEdges: 1 });
 });
 
 test('no triangles, nothing', () => {

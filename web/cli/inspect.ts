@@ -67,9 +67,15 @@ function countsText(found: Inspection): string {
     ['components', found.components],
     ['boundary loops', found.boundaryLoops],
     ['non-manifold edges', found.nonManifoldEdges],
+    ...discordantRow(found),
     ['non-manifold vertices', found.nonManifoldVertices],
   ];
   return textTable(counts.map(([name, count]) => [name, grouped(count)]));
+}
+
+/** Where triangles face different ways `reduce` turns them, so that such edges are no trouble. */
+function discordantRow({ discordantEdges }: Inspection): [string, number][] {
+  return discordantEdges > 0 ? [['  between triangles facing different ways', discordantEdges]] : [];
 }
 
 const heading = ['variable', 'components', 'lowest', 'highest', 'extent', 'NaN', 'infinite'];

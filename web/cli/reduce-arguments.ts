@@ -100,6 +100,9 @@ export function parseRequest(args: string[]): Request {
   const errors = oneOf('--errors', values.errors, ['tracked', 'propagated']);
   if (values.map && values.levels !== undefined) throw new UsageFault('--map goes with one result, not with --levels.');
   if (values.map && errors === 'propagated') throw new UsageFault('--map goes with --errors tracked.');
+  if (values['lock-region'].length > 0 && values.region === undefined) {
+    throw new UsageFault('--lock-region goes with --region NAME, which says what the regions are.');
+  }
   const cost = oneOf('--cost', values.cost, ['max', 'introduced']);
   const levels = values.levels === undefined ? undefined : parseLevels(values.levels, values.bound);
   for (const path of [values.output, values.map]) if (path) outputFormat(path);

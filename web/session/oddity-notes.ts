@@ -24,7 +24,9 @@ export function oddityNotes({
   }
   if (unorientableParts > 0) {
     const parts = unorientableParts === 1 ? '1 part has' : `${unorientableParts} parts have`;
-    notes.push(`${parts} no two sides (triangle ${unorientableTriangle}, counted from 0): left as the file has it.`);
+    notes.push(
+      `${parts} no two sides (triangle ${unorientableTriangle}, counted from 0): along some line its triangles face different ways.`,
+    );
   }
   return notes;
 }

@@ -8,6 +8,8 @@ export interface Topology {
   boundaryLoops: number;
   /** Edges of three or more triangles, or of two that disagree about the orientation. */
   nonManifoldEdges: number;
+  /** Of these, edges of two triangles that disagree about the orientation. */
+  discordantEdges: number;
   /** Vertices whose triangles fall apart into several fans when one goes from triangle to triangle over edges. */
   nonManifoldVertices: number;
 }
@@ -21,6 +23,7 @@ export function topologyOf(triangles: Uint32Array, vertices: number): Topology {
     components: componentCount(surface, vertices),
     boundaryLoops: boundaryLoopCount(edges, fans),
     nonManifoldEdges: edges.count((corners) => !isManifold(surface, corners)),
+    discordantEdges: edges.count((corners) => corners.length === 2 && !isManifold(surface, corners)),
     nonManifoldVertices: splitVertexCount(surface, vertices, fans),
   };
 }

@@ -13,7 +13,8 @@ namespace meshbound {
 inline constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 /// Where the map puts a vertex of the input: in this triangle of the reduced mesh, at these barycentric coordinates of its
-/// three corners (0…1, sum 1).
+/// three corners (0…1, sum 1). A removed vertex of a boundary or of a curve between sheets lies on an edge, and has exactly one
+/// coordinate that is 0.
 struct MapPlace {
     std::uint32_t triangle = nowhere;
     glm::dvec3 barycentric{0};

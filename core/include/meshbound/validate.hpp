@@ -14,7 +14,7 @@ struct Oddities {
     std::size_t zero_area_triangles = 0; ///< three distinct vertices on a line: part of the surface, reduced as usual
     std::size_t unused_vertices = 0;     ///< vertices of no triangle: left out of the result
     std::size_t turned_triangles = 0;    ///< triangles that face the other side than most around them: turned round
-    std::size_t unorientable_parts = 0;  ///< parts without two sides (a Möbius band): left as they are
+    std::size_t unorientable_parts = 0;  ///< parts without two sides (a Möbius band): oriented up to a line
     std::optional<std::size_t> unorientable_triangle; ///< the first triangle of the first of them
 };
 
