@@ -1,6 +1,6 @@
-const types = { Float32Array, Float64Array, Uint8Array, Uint32Array };
+const types = { Float32Array, Float64Array, Int32Array, Uint8Array, Uint32Array };
 
-export type NumberArray = Float32Array | Float64Array | Uint8Array | Uint32Array;
+export type NumberArray = Float32Array | Float64Array | Int32Array | Uint8Array | Uint32Array;
 export type LabelledArrays = Map<string, NumberArray>;
 
 /** Reads what tests/wasm/native_reduction.cpp writes: for each array a line "name type count", then its bytes. */

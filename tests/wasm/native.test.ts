@@ -4,11 +4,40 @@ import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { reduce, reduceLevels } from '../../wasm/index.ts';
-import type { Levels, Mesh, MorphEnd, Reduction, SurfaceMap } from '../../wasm/types.ts';
+import type { Levels, Mesh, MorphEnd, ReduceOptions, Reduction, SurfaceMap } from '../../wasm/types.ts';
 import { differences, type LabelledArrays, type NumberArray, readLabelledArrays } from './labelled-arrays.ts';
 
 const program = 'build/native/tests/native_reduction';
 const bounds = { position: { relative: 0.01 }, '*': { relative: 0.03 } };
+
+/** As native_reduction.cpp has them. */
+const settings: { setting: string; options: (mesh: Mesh) => Omit<ReduceOptions, 'errors' | 'cost'> }[] = [
+  { setting: 'usual', options: () => ({ bounds }) },
+  { setting: 'fine', options: () => ({ bounds: fractions(0.002, 0.006) }) },
+  { setting: 'coarse', options: () => ({ bounds: fractions(0.06, 0.2) }) },
+  {
+    setting: 'apart',
+    options: () => ({ bounds: fractions(0.02, 0.06), refusePiercing: true, limitToFeatureSize: true }),
+  },
+  { setting: 'kept', options: keptOf },
+];
+
+function fractions(geometry: number, variables: number): ReduceOptions['bounds'] {
+  return { position: { relative: geometry }, '*': { relative: variables } };
+}
+
+function keptOf({ position }: Mesh): Omit<ReduceOptions, 'errors' | 'cost'> {
+  const middle = 3 * Math.floor(position.length / 3 / 2);
+  const corner: [number, number, number] = [position[middle], position[middle + 1], position[middle + 2]];
+  return {
+    bounds: fractions(0.03, 0.1),
+    focus: 'multiplier',
+    dropSmallParts: true,
+    locked: Uint32Array.of(1),
+    lockedRegions: Int32Array.of(2),
+    lockedBoxes: [{ lowest: corner, highest: corner }],
+  };
+}
 
 const modes = [
   { mode: 'tracked', errors: 'tracked', cost: 'introduced' },
@@ -19,7 +48,9 @@ const modes = [
 function meshOf(arrays: LabelledArrays): Mesh {
   const position = arrays.get('position') as Float64Array;
   const variables = [...arrays].filter(([name]) => name.startsWith('variable:'));
+  const regions = arrays.get('regions') as Int32Array | undefined;
   return {
+    ...(regions ? { regions } : {}),
     position,
     triangles: arrays.get('triangles') as Uint32Array,
     variables: variables.map(([name, values]) => ({
@@ -38,6 +69,7 @@ function arraysOf(reduction: Reduction): LabelledArrays {
     ['position', mesh.position],
     ['triangles', mesh.triangles],
     ...mesh.variables.map(({ name, values }) => [`variable:${name}`, values] as const),
+    ...(mesh.regions ? [['regions', mesh.regions] as const] : []),
     ['vertices', vertices],
     ...triangleErrors.flatMap(({ largest, lowest, highest, ratio }, i) => [
       [`largest:${names[i]}`, largest] as const,
@@ -60,12 +92,16 @@ function mapArrays(map: SurfaceMap): [string, NumberArray][] {
 
 function reportArrays({ report }: Reduction): [string, NumberArray][] {
   const { triangles, vertices, refused, oddities, turnedAway, nonManifoldVertices, cells, foldedCells } = report;
+  const regions = report.regions.flatMap(({ label, triangles: count, area }) => {
+    return [label, count.before, count.after, area.before, area.after];
+  });
   const counts = [
     [triangles.before, triangles.after, vertices.before, vertices.after],
     [refused.fixed, refused.topology, refused.fold, refused.piercing],
     [turnedAway.before, turnedAway.after],
     [oddities.repeatedVertexTriangles, oddities.zeroAreaTriangles, oddities.unusedVertices],
     [nonManifoldVertices, cells, foldedCells],
+    [report.dropped.parts, report.dropped.triangles, report.featureSize ?? 0],
   ];
   const variables = report.variables.map(
     ({ name, extent, magnitude, constant, bound, error, ratio, refused: held }): [string, NumberArray] => [
@@ -73,7 +109,11 @@ function reportArrays({ report }: Reduction): [string, NumberArray][] {
       Float64Array.of(extent, magnitude, Number(constant), bound, error, ratio, held),
     ],
   );
-  return [['report:counts', Float64Array.from(counts.flat())], ...variables];
+  return [
+    ['report:counts', Float64Array.from(counts.flat())],
+    ['report:regions', Float64Array.from(regions)],
+    ...variables,
+  ];
 }
 
 function cornerArrays(end: string, { position, variables }: MorphEnd): [string, NumberArray][] {
@@ -104,18 +144,26 @@ describe.skipIf(!existsSync(program))('the native and the WebAssembly build give
   beforeAll(() => execFileSync(program, [folder]));
   afterAll(() => rmSync(folder, { recursive: true }));
 
-  test.each(modes)('errors $errors, cost $cost', async ({ mode, errors, cost }) => {
-    const names = readdirSync(folder).filter((file) => file.endsWith('.mesh'));
-    expect(names.length).toBeGreaterThan(15);
-    const found: string[] = [];
-    for (const name of names.map((file) => basename(file, '.mesh'))) {
-      const reduction = await reduce(meshOf(read(`${name}.mesh`)), { bounds, errors, cost });
-      expect(reduction.report.triangles.after, name).toBeLessThan(reduction.report.triangles.before);
-      expect(reduction.map === undefined, name).toBe(errors === 'propagated');
-      const different = differences(arraysOf(reduction), read(`${name}.${mode}`));
-      found.push(...different.map((array) => `${name}: ${array}`));
-    }
-    expect(found).toEqual([]);
+  describe.each(settings)('$setting', ({ setting, options }) => {
+    test.each(modes)('errors $errors, cost $cost', async ({ mode, errors, cost }) => {
+      const names = readdirSync(folder).filter((file) => /^[^.]+\.mesh$/.test(file));
+      expect(names.length).toBeGreaterThan(15);
+      const found: string[] = [];
+      let [before, after] = [0, 0];
+      for (const name of names.map((file) => basename(file, '.mesh'))) {
+        const mesh = meshOf(read(setting === 'kept' ? `${name}.kept.mesh` : `${name}.mesh`));
+        const reduction = await reduce(mesh, { ...options(mesh), errors, cost });
+        const { triangles } = reduction.report;
+        if (setting === 'usual') expect(triangles.after, name).toBeLessThan(triangles.before);
+        before += triangles.before;
+        after += triangles.after;
+        expect(reduction.map === undefined, name).toBe(errors === 'propagated');
+        const different = differences(arraysOf(reduction), read(`${name}.${setting}.${mode}`));
+        found.push(...different.map((array) => `${name}: ${array}`));
+      }
+      expect(found).toEqual([]);
+      expect(after).toBeLessThan(before);
+    });
   });
 
   test('levels and morphs', async () => {

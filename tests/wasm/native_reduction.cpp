@@ -2,9 +2,11 @@
 ///
 ///     native_reduction FOLDER
 ///
-/// FOLDER gets, for each mesh, NAME.mesh and one file of the result a mode, NAME.MODE, and NAME.levels of levels of detail:
+/// FOLDER gets, for each mesh, NAME.mesh and one file of the result a mode and a setting, NAME.SETTING.MODE, and NAME.levels
+/// of levels of detail; of the setting "kept", whose meshes have labels and a variable that multiplies bounds, NAME.kept.mesh:
 /// arrays one after the other, each a line "name type count" and then its bytes (tests/wasm/labelled-arrays.ts reads them).
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -12,6 +14,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,6 +33,7 @@ std::string type_name(float) { return "Float32Array"; }
 std::string type_name(double) { return "Float64Array"; }
 std::string type_name(std::uint8_t) { return "Uint8Array"; }
 std::string type_name(std::uint32_t) { return "Uint32Array"; }
+std::string type_name(std::int32_t) { return "Int32Array"; }
 
 /// Writes arrays with their names.
 class LabelledArrays {
@@ -67,6 +71,7 @@ void write_mesh(LabelledArrays& arrays, const Mesh& mesh) {
     arrays.write("position", mesh.position.values);
     write_triangles(arrays, "triangles", mesh.triangles);
     for (const Variable& variable : mesh.variables) arrays.write("variable:" + variable.name, variable.values);
+    if (!mesh.regions.empty()) arrays.write("regions", mesh.regions);
 }
 
 void write_map(LabelledArrays& arrays, const SurfaceMap& map) {
@@ -91,14 +96,20 @@ void write_map(LabelledArrays& arrays, const SurfaceMap& map) {
 
 void write_report(LabelledArrays& arrays, const Report& report) {
     const auto number = [](std::size_t count) { return static_cast<double>(count); };
-    arrays.write<double>("report:counts",
-                         {number(report.triangles_before), number(report.triangles_after),
-                          number(report.vertices_before), number(report.vertices_after), number(report.refused.fixed),
-                          number(report.refused.topology), number(report.refused.fold), number(report.refused.piercing),
-                          number(report.turned_before), number(report.turned_after),
-                          number(report.oddities.repeated_vertex_triangles),
-                          number(report.oddities.zero_area_triangles), number(report.oddities.unused_vertices),
-                          number(report.non_manifold_vertices), number(report.cells), number(report.folded_cells)});
+    arrays.write<double>(
+        "report:counts",
+        {number(report.triangles_before), number(report.triangles_after), number(report.vertices_before),
+         number(report.vertices_after), number(report.refused.fixed), number(report.refused.topology),
+         number(report.refused.fold), number(report.refused.piercing), number(report.turned_before),
+         number(report.turned_after), number(report.oddities.repeated_vertex_triangles),
+         number(report.oddities.zero_area_triangles), number(report.oddities.unused_vertices),
+         number(report.non_manifold_vertices), number(report.cells), number(report.folded_cells),
+         number(report.dropped.parts), number(report.dropped.triangles), report.feature_size.value_or(0)});
+    std::vector<double> regions;
+    for (const RegionReport& region : report.regions)
+        regions.insert(regions.end(), {static_cast<double>(region.label), number(region.triangles_before),
+                                       number(region.triangles_after), region.area_before, region.area_after});
+    arrays.write("report:regions", regions);
     for (const VariableReport& variable : report.variables)
         arrays.write<double>("report:" + variable.name,
                              {variable.bound.extent, variable.bound.magnitude, variable.bound.constant ? 1.0 : 0.0,
@@ -153,19 +164,71 @@ const std::vector<Mode> modes = {{"tracked", Errors::tracked, Cost::introduced},
                                  {"propagated-maximum", Errors::propagated, Cost::maximum},
                                  {"propagated-introduced", Errors::propagated, Cost::introduced}};
 
-void reduce_in_every_mode(const std::string& path, const Mesh& mesh) {
+/// How a mesh is reduced in every mode; native.test.ts has the same.
+struct Setting {
+    std::string name;
+    Bounds bounds;
+    Options options;
+};
+
+Bounds fractions(double geometry, double variables) {
+    return {{"position", relative(geometry)}, {"*", relative(variables)}};
+}
+
+std::vector<Setting> settings() {
+    Options apart;
+    apart.refuse_piercing = apart.limit_to_feature_size = true;
+    return {{"usual", fractions(0.01, 0.03), {}},
+            {"fine", fractions(0.002, 0.006), {}},
+            {"coarse", fractions(0.06, 0.2), {}},
+            {"apart", fractions(0.02, 0.06), apart}};
+}
+
+/// With four regions one after the other, and a variable that multiplies the bounds along x.
+Mesh with_labels_and_focus(Mesh mesh) {
+    const std::size_t triangles = mesh.triangles.size();
+    for (std::size_t t = 0; t < triangles; ++t) mesh.regions.push_back(static_cast<std::int32_t>(4 * t / triangles));
+    double low = value_at(mesh.position, 0, 0), high = low;
+    for (std::size_t v = 0; v < vertex_count(mesh); ++v) {
+        low = std::min(low, value_at(mesh.position, v, 0));
+        high = std::max(high, value_at(mesh.position, v, 0));
+    }
+    std::vector<double> multipliers;
+    for (std::size_t v = 0; v < vertex_count(mesh); ++v)
+        multipliers.push_back(0.5 + (value_at(mesh.position, v, 0) - low) / (high - low));
+    mesh.variables.push_back({"multiplier", 1, std::move(multipliers)});
+    return mesh;
+}
+
+/// A vertex, the triangles around another one, and a region are locked.
+Setting kept(const Mesh& mesh) {
+    Options options;
+    options.focus = "multiplier";
+    options.drop_small_parts = true;
+    options.locked = {1};
+    options.locked_regions = {2};
+    const std::size_t middle = vertex_count(mesh) / 2;
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) box.lowest[axis] = box.highest[axis] = value_at(mesh.position, middle, axis);
+    options.locked_boxes = {box};
+    return {"kept", fractions(0.03, 0.1), options};
+}
+
+void write_input(const std::string& path, const Mesh& mesh) {
     LabelledArrays input(path + ".mesh");
     write_mesh(input, mesh);
     input.finish();
-    const Bounds bounds = {{"position", relative(0.01)}, {"*", relative(0.03)}};
+}
+
+void reduce_in_every_mode(const std::string& path, const Mesh& mesh, const Setting& setting) {
     for (const Mode& mode : modes) {
-        Options options;
+        Options options = setting.options;
         options.errors = mode.errors;
         options.cost = mode.cost;
         Reduction reduction;
-        if (const Status status = reduce(mesh, bounds, options, reduction); !status.ok())
+        if (const Status status = reduce(mesh, setting.bounds, options, reduction); !status.ok())
             throw std::runtime_error(path + ": " + status.message);
-        write_reduction(path + "." + mode.name, reduction);
+        write_reduction(path + "." + setting.name + "." + mode.name, reduction);
     }
 }
 
@@ -203,7 +266,11 @@ int main(int, char** argv) {
     try {
         for (const meshes::Exhibit& exhibit : exhibits()) {
             const std::string path = std::string(argv[1]) + "/" + exhibit.name;
-            reduce_in_every_mode(path, exhibit.mesh);
+            write_input(path, exhibit.mesh);
+            for (const Setting& setting : settings()) reduce_in_every_mode(path, exhibit.mesh, setting);
+            const Mesh labelled = with_labels_and_focus(exhibit.mesh);
+            write_input(path + ".kept", labelled);
+            reduce_in_every_mode(path, labelled, kept(labelled));
             reduce_to_levels(path, exhibit.mesh);
         }
     } catch (const std::exception& error) {
