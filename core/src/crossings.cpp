@@ -36,8 +36,8 @@ std::uint32_t Crossings::add(const Crossing& crossing, Supply& supply) {
 }
 
 void Crossings::link(std::uint32_t original, std::uint32_t before, std::uint32_t after) {
-    (before == no_index ? first_[original] : at(before).next) = after;
-    (after == no_index ? last_[original] : at(after).previous) = before;
+    (before == no_index ? chains_[original].first : at(before).next) = after;
+    (after == no_index ? chains_[original].last : at(after).previous) = before;
 }
 
 void Crossings::refill(Supply& supply) {

@@ -31,7 +31,7 @@ struct Crossing {
 /// changed by two of them. Which name a crossing gets is then chance; nothing may depend on it.
 class Crossings {
 public:
-    explicit Crossings(std::size_t edges) : first_(edges, no_index), last_(edges, no_index), on_(edges, no_index) {}
+    explicit Crossings(std::size_t edges) : chains_(edges), on_(edges, no_index) {}
 
     /// Free places for crossings, of one thread.
     class Supply {
@@ -51,8 +51,8 @@ public:
     const Crossing& operator[](std::uint32_t id) const { return at(id); }
 
     /// First and last crossing of an original edge, or no_index.
-    std::uint32_t first(std::uint32_t original) const { return first_[original]; }
-    std::uint32_t last(std::uint32_t original) const { return last_[original]; }
+    std::uint32_t first(std::uint32_t original) const { return chains_[original].first; }
+    std::uint32_t last(std::uint32_t original) const { return chains_[original].last; }
 
     /// One crossing on a current edge (the others are its siblings), or no_index.
     std::uint32_t on(std::uint32_t current) const { return on_[current]; }
@@ -67,6 +67,9 @@ public:
     void link(std::uint32_t original, std::uint32_t before, std::uint32_t after);
 
 private:
+    struct Chain {
+        std::uint32_t first = no_index, last = no_index;
+    };
     /// Blocks of places, each twice as large as the one before, so that places never move while others look at them.
     static constexpr int first_block_bits = 10, most_blocks = 32 - first_block_bits;
 
@@ -79,11 +82,11 @@ private:
     void take_back(Supply& supply);
 
     std::array<std::unique_ptr<Crossing[]>, most_blocks> blocks_;
-    std::vector<std::uint32_t> first_, last_; // by original edge
-    std::vector<std::uint32_t> on_;           // by current edge
-    std::mutex mutex_;                        // of what follows
-    std::uint32_t size_ = 0;                  // places that were handed out
-    std::uint32_t returned_ = no_index;       // given back, chained by sibling
+    std::vector<Chain> chains_;         // by original edge
+    std::vector<std::uint32_t> on_;     // by current edge
+    std::mutex mutex_;                  // of what follows
+    std::uint32_t size_ = 0;            // places that were handed out
+    std::uint32_t returned_ = no_index; // given back, chained by sibling
 };
 
 } // namespace meshbound

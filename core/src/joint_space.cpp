@@ -1,6 +1,7 @@
 #include "joint_space.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "indexing.hpp"
 
@@ -12,31 +13,38 @@ double ratio_within(double numerator, double denominator, double low, double hig
     return std::clamp(numerator / denominator, low, high);
 }
 
+/// 0 where there is none that is finite.
+double inverse_of(double extent) {
+    const double inverse = 1 / extent;
+    return extent > 0 && inverse < std::numeric_limits<double>::infinity() ? inverse : 0;
+}
+
 /// A sum of products no larger than this share of them is noise of rounding: there is no distance.
 constexpr double noise_share = 1e-14;
 
+double squared_bc(const PlaneProducts& products) { return products.uu - 2 * products.uv + products.vv; }
+
+JointTriangle::Inverses inverses_of(const PlaneProducts& products) {
+    return {inverse_of(products.uu * products.vv - products.uv * products.uv), inverse_of(products.uu),
+            inverse_of(products.vv), inverse_of(squared_bc(products))};
+}
+
 /// The nearest of the three edges' nearest points.
-glm::dvec2 nearest_on_edges(const PlaneProducts& products) {
+glm::dvec2 nearest_on_edges(const PlaneProducts& products, const JointTriangle::Inverses& inverses) {
     const auto& [uu, uv, vv, uw, vw, ww] = products;
-    const double along_u = ratio_within(uw, uu, 0, 1), along_v = ratio_within(vw, vv, 0, 1);
-    const double along_bc = ratio_within(uu - uv - uw + vw, uu - 2 * uv + vv, 0, 1);
+    const double along_u = std::clamp(uw * inverses.uu, 0.0, 1.0), along_v = std::clamp(vw * inverses.vv, 0.0, 1.0);
+    const double along_bc = std::clamp((uu - uv - uw + vw) * inverses.bc, 0.0, 1.0);
     glm::dvec2 best(along_u, 0);
     for (const glm::dvec2& place : {glm::dvec2(0, along_v), glm::dvec2(1 - along_bc, along_bc)})
         if (products.squared_at(place) < products.squared_at(best)) best = place;
     return best;
 }
 
-/// 0 where the two have no area.
-double inverse_of_determinant(const PlaneProducts& products) {
-    const double determinant = products.uu * products.vv - products.uv * products.uv;
-    return determinant > 0 ? 1 / determinant : 0;
-}
-
-glm::dvec2 nearest_in_triangle(const PlaneProducts& products, double inverse_determinant) {
+glm::dvec2 nearest_in_triangle(const PlaneProducts& products, const JointTriangle::Inverses& inverses) {
     const auto& [uu, uv, vv, uw, vw, ww] = products;
-    const glm::dvec2 place((uw * vv - vw * uv) * inverse_determinant, (vw * uu - uw * uv) * inverse_determinant);
-    const bool inside = inverse_determinant > 0 && place.x >= 0 && place.y >= 0 && place.x + place.y <= 1;
-    return inside ? place : nearest_on_edges(products);
+    const glm::dvec2 place((uw * vv - vw * uv) * inverses.determinant, (vw * uu - uw * uv) * inverses.determinant);
+    const bool inside = inverses.determinant > 0 && place.x >= 0 && place.y >= 0 && place.x + place.y <= 1;
+    return inside ? place : nearest_on_edges(products, inverses);
 }
 
 } // namespace
@@ -46,7 +54,7 @@ double without_noise(double squared_distance, double products) {
 }
 
 glm::dvec2 nearest_in_triangle(const PlaneProducts& products) {
-    return nearest_in_triangle(products, inverse_of_determinant(products));
+    return nearest_in_triangle(products, inverses_of(products));
 }
 
 JointTriangle::JointTriangle(const HoleProducts& products, int a, int b, int c)
@@ -58,7 +66,7 @@ JointTriangle::JointTriangle(const HoleProducts& products, int a, int b, int c)
     edges_.uu = products.ring(b, b) - ab - au_;
     edges_.uv = products.ring(b, c) - ac - au_;
     edges_.vv = products.ring(c, c) - ac - av_;
-    inverse_determinant_ = inverse_of_determinant(edges_);
+    inverses_ = inverses_of(edges_);
 }
 
 JointTriangle::Nearest JointTriangle::nearest(const double* along) const {
@@ -66,7 +74,7 @@ JointTriangle::Nearest JointTriangle::nearest(const double* along) const {
     PlaneProducts to_vertex = edges_;
     to_vertex.uw = along[b_] - from_a - au_;
     to_vertex.vw = along[c_] - from_a - av_;
-    const glm::dvec2 place = nearest_in_triangle(to_vertex, inverse_determinant_);
+    const glm::dvec2 place = nearest_in_triangle(to_vertex, inverses_);
     const double own = along[size_] - 2 * from_a + aa_;
     return {{std::max(0.0, 1 - place.x - place.y), place.x, place.y},
             without_noise(own + to_vertex.squared_at(place), along[size_] + aa_ + edges_.uu + edges_.vv)};

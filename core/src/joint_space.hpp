@@ -24,6 +24,11 @@ class JointTriangle {
 public:
     JointTriangle(const HoleProducts& products, int a, int b, int c);
 
+    /// 1 over the determinant of the products of the edges and over their squares; 0 where a triangle or an edge has no extent.
+    struct Inverses {
+        double determinant = 0, uu = 0, vv = 0, bc = 0;
+    };
+
     /// The point of the triangle nearest to a vertex.
     struct Nearest {
         glm::dvec3 weight{1, 0, 0}; // barycentric
@@ -36,7 +41,7 @@ private:
     int a_, b_, c_, size_;
     double aa_ = 0, au_ = 0, av_ = 0; // dot products of a with itself and with the edges u = b - a and v = c - a
     PlaneProducts edges_;             // uu, uv, vv
-    double inverse_determinant_ = 0;  // of the edges' products; 0: the triangle has no area
+    Inverses inverses_;
 };
 
 /// The x in [low, high] and y in [0, 1] where w − x u − y v is shortest.

@@ -38,9 +38,11 @@ double negative_cosine(const glm::dvec3& a, const glm::dvec3& b) {
 bool Legality::enter(const Surface& surface, const Rows& rows, const Hole& hole) {
     hole_ = &hole;
     if (!removable(surface, hole)) return false;
-    find_taken_edges(surface, hole);
+    surface_ = &surface;
+    taken_.assign(at(hole.size() * hole.size()), Taken::unknown);
+    if (surface.has_sites()) find_taken_edges(surface, hole);
     if (touches_own_site(surface, hole)) return false;
-    if (hole.open && taken_[at(hole.size() - 1)]) return false; // the closing edge exists: the loop has three edges
+    if (hole.open && is_taken(0, hole.size() - 1)) return false; // the closing edge exists: the loop has three edges
     const glm::dvec3 normal = star_normal(hole);
     const double length = glm::length(normal);
     normal_ = length > 0 ? normal / length : normal;
@@ -66,16 +68,38 @@ bool Legality::removable(const Surface& surface, const Hole& hole) const {
 /// Ring vertices joined by an edge that is neither rim nor spoke: found by walking around each of them, on every sheet where
 /// it has a copy, since sheets are to touch nowhere but where they do.
 void Legality::find_taken_edges(const Surface& surface, const Hole& hole) {
-    taken_.assign(at(hole.size() * hole.size()), 0);
+    std::fill(taken_.begin(), taken_.end(), Taken::no);
     ring_filter_ = 0;
     sites_.clear();
     for (const std::uint32_t vertex : hole.ring) sites_.push_back(surface.site(vertex));
     for (const std::uint32_t site : sites_) ring_filter_ |= std::uint64_t{1} << (site % 64);
     for (int i = 0; i < hole.size(); ++i) {
+        const auto see_neighbour = [&](std::uint32_t neighbour) {
+            see(surface.site(neighbour), i);
+            return true;
+        };
         surface.for_each_in_site(hole.ring[at(i)],
-                                 [&](std::uint32_t vertex) { find_taken_around(surface, vertex, i); });
-        if (surface.has_sites()) see(sites_[at(i)], i); // no edge joins two copies of one vertex
+                                 [&](std::uint32_t vertex) { surface.all_of_ring(vertex, see_neighbour); });
+        see(sites_[at(i)], i); // no edge joins two copies of one vertex
     }
+}
+
+/// Of ring positions that are no neighbours on the ring.
+bool Legality::is_taken(int i, int j) {
+    Taken& taken = taken_[at(i * hole_->size() + j)];
+    if (taken == Taken::unknown) {
+        const std::uint32_t end = hole_->ring[at(j)];
+        const auto is_other = [&](std::uint32_t neighbour) { return neighbour != end; };
+        taken = surface_->all_of_ring(hole_->ring[at(i)], is_other) ? Taken::no : Taken::yes;
+    }
+    return taken == Taken::yes;
+}
+
+bool Legality::allows_diagonals(const Retriangulation& retriangulation) {
+    bool all = true;
+    for (const NewTriangle& triangle : retriangulation.triangles)
+        if (triangle.parent >= 0 && is_taken(triangle.a, triangle.b)) all = false;
+    return all;
 }
 
 /// The edge from ring position i to every ring position that is a copy of the site is taken.
@@ -87,22 +111,10 @@ void Legality::see(std::uint32_t site, int i) {
 
 /// Whether an edge of the input joins two vertices of the candidate's site: their stars overlap, and cannot go at once.
 bool Legality::touches_own_site(const Surface& surface, const Hole& hole) const {
-    return std::find(sites_.begin(), sites_.end(), surface.site(hole.candidate)) != sites_.end();
+    return surface.has_sites() && std::find(sites_.begin(), sites_.end(), surface.site(hole.candidate)) != sites_.end();
 }
 
-/// Walks around a copy of ring position i.
-void Legality::find_taken_around(const Surface& surface, std::uint32_t vertex, int i) {
-    const std::uint32_t first = surface.outgoing(vertex);
-    std::uint32_t spoke = first;
-    do {
-        see(surface.site(surface.target(spoke)), i);
-        const std::uint32_t arriving = Surface::previous(spoke);
-        spoke = surface.twin(arriving);
-        if (spoke == no_index) see(surface.site(surface.origin(arriving)), i);
-    } while (spoke != no_index && spoke != first);
-}
-
-void Legality::take(int i, int j) { taken_[at(i * hole_->size() + j)] = taken_[at(j * hole_->size() + i)] = 1; }
+void Legality::take(int i, int j) { taken_[at(i * hole_->size() + j)] = taken_[at(j * hole_->size() + i)] = Taken::yes; }
 
 void Legality::find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole) {
     neighbours_.assign(at(hole.sectors()), glm::dvec3(0));
@@ -132,7 +144,7 @@ double Legality::sharpest_bend(const Hole& hole) const {
 bool Legality::allows_edge(int i, int j) const {
     const int size = hole_->size();
     if (j == i + 1 || (i == 0 && j == size - 1)) return true;
-    if (taken_[at(i * size + j)]) return false;
+    if (taken_[at(i * size + j)] == Taken::yes) return false;
     // The candidate of an open hole goes to the closing edge, so every diagonal must leave it on that side.
     return !hole_->open || orientation(hole_->places[at(i)], hole_->places[at(j)], glm::dvec2(0)) >= 0;
 }

@@ -23,8 +23,13 @@ public:
     /// Looks at the hole (laid out). Returns false where no retriangulation at all is legal for topological reasons.
     bool enter(const Surface& surface, const Rows& rows, const Hole& hole);
 
-    /// Whether the edge between ring positions i < j may be made; neighbours on the ring always have theirs.
+    /// Whether the edge between ring positions i < j may be made, as far as is known; neighbours on the ring always have
+    /// theirs.
     bool allows_edge(int i, int j) const;
+
+    /// Whether the diagonals exist nowhere on the surface yet. One that does is not allowed from then on: few retriangulations
+    /// have any, so that they are looked for only in those that were chosen.
+    bool allows_diagonals(const Retriangulation& retriangulation);
 
     /// Whether a triangle keeps its orientation in the layout: cheap, to be asked before it is looked at in space.
     bool lies_open(int a, int m, int b) const;
@@ -42,7 +47,7 @@ private:
     void find_taken_edges(const Surface& surface, const Hole& hole);
     void find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole);
     void take(int i, int j);
-    void find_taken_around(const Surface& surface, std::uint32_t vertex, int i);
+    bool is_taken(int i, int j);
     void see(std::uint32_t site, int i);
     double sharpest_bend(const Hole& hole) const;
     bool folds(const glm::dvec3& p, const glm::dvec3& q) const;
@@ -50,8 +55,11 @@ private:
 
     bool turns_from_original(const RingTriangle& triangle) const;
 
+    enum class Taken : std::uint8_t { unknown, no, yes };
+
     const OriginalNormals& original_;
     bool minds_turns_;
+    const Surface* surface_ = nullptr;
     const Hole* hole_ = nullptr;
     glm::dvec3 normal_{0};             // of the hole, of unit length
     double least_cosine_ = 0;          // between it and the normal of a triangle that minds turns
@@ -59,7 +67,7 @@ private:
     double least_area_ = 0;            // of a laid-out triangle, twice
     std::uint64_t ring_filter_ = 0;    // a bit for the last digits of each ring vertex: most others are told from them
     std::vector<std::uint32_t> sites_; // of the ring
-    std::vector<char> taken_;          // [i * size + j]: the edge exists
+    std::vector<Taken> taken_;         // [i * size + j]: whether the edge exists
     std::vector<glm::dvec3> neighbours_; // by rim: normal of the triangle outside, or zero
 };
 

@@ -23,7 +23,7 @@ double PropagatedRemoval::diagonal(int i, int j) {
     return sum;
 }
 
-double PropagatedRemoval::triangle(int a, int m, int b) {
+double PropagatedRemoval::triangle(int a, int m, int b, double) {
     if (charged_ == Cost::introduced)
         return holds_candidate(*hole_, a, m, b) ? squared_ratio(map_.candidate(a, m, b), rows_.groups()) : 0;
     fresh_.resize(width());

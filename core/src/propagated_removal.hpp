@@ -26,7 +26,7 @@ public:
 
 private:
     double diagonal(int i, int j) override;
-    double triangle(int a, int m, int b) override;
+    double triangle(int a, int m, int b, double limit) override;
 
     void propagate(int a, int m, int b, ErrorInterval* fresh);
     void add_piece(int a, int m, int b, int sector, const double* candidate, ErrorInterval* fresh);

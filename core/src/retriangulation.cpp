@@ -39,7 +39,7 @@ void Retriangulator::fill(const Hole& hole, const Legality& legality, HoleCost& 
         if (!legality.allows_triangle(triangle)) continue;
         const double shaped = parts + shape_weight * shapelessness(triangle);
         if (!(shaped < best)) continue; // costs are never negative
-        const double total = shaped + cost.triangle(a, m, b);
+        const double total = shaped + cost.triangle(a, m, b, best - shaped);
         if (!(total < best)) continue;
         if (!legality.allows_neighbours(triangle, middle_[at(a * size + m)], middle_[at(m * size + b)])) continue;
         best = total;
@@ -83,14 +83,16 @@ void Retriangulator::unfold(int size, Retriangulation& best) const {
     }
 }
 
-bool Retriangulator::triangulate(const Hole& hole, const Legality& legality, HoleCost& cost, Retriangulation& best) {
-    solve(hole, legality, cost);
-    if (!(cost_[at(hole.size() - 1)] < impossible)) return false;
-    unfold(hole.size(), best);
+bool Retriangulator::triangulate(const Hole& hole, Legality& legality, HoleCost& cost, Retriangulation& best) {
+    do {
+        solve(hole, legality, cost);
+        if (!(cost_[at(hole.size() - 1)] < impossible)) return false;
+        unfold(hole.size(), best);
+    } while (!legality.allows_diagonals(best));
     return true;
 }
 
-bool Retriangulator::fan(const Hole& hole, const Legality& legality, int hub, Retriangulation& best) {
+bool Retriangulator::fan(const Hole& hole, Legality& legality, int hub, Retriangulation& best) {
     const int size = hole.size();
     middle_.assign(at(size * size), -1);
     for (int a = 0; a + 1 < hub; ++a) middle_[at(a * size + hub)] = a + 1;
@@ -98,12 +100,13 @@ bool Retriangulator::fan(const Hole& hole, const Legality& legality, int hub, Re
     if (hub > 0 && hub < size - 1) middle_[at(size - 1)] = hub;
     unfold(size, best);
     const auto third = [&](int a, int b) { return middle_[at(a * size + b)]; };
-    return std::all_of(best.triangles.begin(), best.triangles.end(), [&](const NewTriangle& triangle) {
+    const auto is_legal = [&](const NewTriangle& triangle) {
         const int a = triangle.a, m = triangle.m, b = triangle.b;
         if (!legality.allows_edge(a, b) || !legality.lies_open(a, m, b)) return false;
         const RingTriangle in_space(hole, a, m, b);
         return legality.allows_triangle(in_space) && legality.allows_neighbours(in_space, third(a, m), third(m, b));
-    });
+    };
+    return std::all_of(best.triangles.begin(), best.triangles.end(), is_legal) && legality.allows_diagonals(best);
 }
 
 } // namespace meshbound

@@ -13,8 +13,8 @@ public:
     virtual ~HoleCost() = default;
     /// Cost of the diagonal between ring positions i < j.
     virtual double diagonal(int i, int j) = 0;
-    /// Cost of the triangle of ring positions a < m < b.
-    virtual double triangle(int a, int m, int b) = 0;
+    /// Cost of the triangle of ring positions a < m < b; may stop early, with a lower bound of it that is not below `limit`.
+    virtual double triangle(int a, int m, int b, double limit) = 0;
 };
 
 /// The cheapest legal triangulation of a hole, by dynamic programming over the polygon: O(k³) triangles for k corners. It
@@ -22,10 +22,10 @@ public:
 class Retriangulator {
 public:
     /// Fills `best`; false where no legal triangulation exists.
-    bool triangulate(const Hole& hole, const Legality& legality, HoleCost& cost, Retriangulation& best);
+    bool triangulate(const Hole& hole, Legality& legality, HoleCost& cost, Retriangulation& best);
 
     /// The triangulation whose triangles all meet at ring position `hub`; false where it is not legal.
-    bool fan(const Hole& hole, const Legality& legality, int hub, Retriangulation& best);
+    bool fan(const Hole& hole, Legality& legality, int hub, Retriangulation& best);
 
 private:
     void solve(const Hole& hole, const Legality& legality, HoleCost& cost);

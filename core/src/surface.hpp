@@ -59,6 +59,20 @@ public:
     /// The next half-edge that leaves the same vertex, counter-clockwise, or no_index at the end of an open fan.
     std::uint32_t next_spoke(std::uint32_t h) const { return twin_[previous(h)]; }
 
+    /// Whether `holds(neighbour)` for all vertices around a vertex.
+    template <class Holds>
+    bool all_of_ring(std::uint32_t vertex, const Holds& holds) const {
+        const std::uint32_t first = outgoing(vertex);
+        std::uint32_t spoke = first;
+        do {
+            if (!holds(target(spoke))) return false;
+            const std::uint32_t arriving = previous(spoke);
+            spoke = twin(arriving);
+            if (spoke == no_index) return holds(origin(arriving));
+        } while (spoke != first);
+        return true;
+    }
+
     std::size_t vertex_count() const { return kind_.size(); }
     /// Slots for triangles, the dead ones among them.
     std::size_t slot_count() const { return origin_.size() / 3; }

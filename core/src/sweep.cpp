@@ -19,6 +19,9 @@ constexpr int deepest_cut = 8;
 /// triangles and break at the cuts: patches so large lose 1 %.
 constexpr Cutting cutting_in_rounds = {1024, 256}, cutting_in_fronts = {8192, 4096};
 
+/// So many rounds does a patch go on by itself, while its part of the surface is at hand in the cache.
+constexpr std::uint32_t rounds_in_patch = 4;
+
 /// Before the last sweep, a vertex whose star has changed waits for the next round: removing one after its neighbour, along
 /// a numbering that runs in rows, would drag a front of long triangles, and of all that is tracked in them, over the surface.
 bool changed_wait(Removal::Effort effort) { return effort == Removal::Effort::best; }
@@ -104,7 +107,7 @@ void Sweeper::queue(std::uint32_t vertex, Queue& next) {
 bool Sweeper::take_whole(const Sweep& sweep, const Queue& round) {
     next_whole_ = false;
     for (const std::uint32_t vertex : round) {
-        take(sweep, vertex, 0, queue_);
+        take(sweep, vertex, 0, round_, queue_);
         if (!tick(sweep, 0)) return false;
     }
     return true;
@@ -112,12 +115,13 @@ bool Sweeper::take_whole(const Sweep& sweep, const Queue& round) {
 
 bool Sweeper::take_in_patches(const Sweep& sweep, const Queue& round) {
     gather_team();
-    const Patches patches(rows_, round, depth_of_cut(round.size(), cutting(sweep.effort).in_patch), round_);
+    const Patches patches(rows_, round, depth_of_cut(round.size(), cutting(sweep.effort).in_patch), cuts_++);
     std::vector<Patch> cut(patches.count());
     for (const std::uint32_t vertex : round) cut[patches.at(rows_.position(vertex))].vertices.push_back(vertex);
     team_.run(cut.size(), [&](std::size_t member, std::size_t number) {
         if (!take_patch(sweep, patches, number, member, cut[number])) cancelled_ = true;
     });
+    round_ += rounds_in_patch - 1;
     std::size_t put_off = 0;
     for (const Patch& patch : cut) {
         queue_.insert(queue_.end(), patch.next.begin(), patch.next.end());
@@ -129,15 +133,22 @@ bool Sweeper::take_in_patches(const Sweep& sweep, const Queue& round) {
 
 bool Sweeper::take_patch(const Sweep& sweep, const Patches& patches, std::size_t number, std::size_t member,
                          Patch& patch) {
-    for (const std::uint32_t vertex : patch.vertices) {
-        if (lies_within(vertex, patches, number)) {
-            take(sweep, vertex, member, patch.next);
-        } else {
-            ++patch.put_off;
-            patch.next.push_back(vertex);
+    Queue waiting;
+    const std::uint32_t rounds = changed_wait(sweep.effort) ? rounds_in_patch : 1;
+    for (std::uint32_t n = 0; n < rounds && !patch.vertices.empty(); ++n) {
+        waiting.clear();
+        for (const std::uint32_t vertex : patch.vertices) {
+            if (waits(sweep, vertex, round_ + n) || lies_within(vertex, patches, number)) {
+                take(sweep, vertex, member, round_ + n, waiting);
+            } else {
+                ++patch.put_off;
+                patch.next.push_back(vertex);
+            }
+            if (cancelled_ || !tick(sweep, member)) return false;
         }
-        if (cancelled_ || !tick(sweep, member)) return false;
+        std::swap(patch.vertices, waiting);
     }
+    patch.next.insert(patch.next.end(), patch.vertices.begin(), patch.vertices.end());
     return true;
 }
 
@@ -150,28 +161,25 @@ bool Sweeper::lies_within(std::uint32_t vertex, const Patches& patches, std::siz
 }
 
 bool Sweeper::ring_lies_within(std::uint32_t vertex, const Patches& patches, std::size_t number) const {
-    const auto within = [&](std::uint32_t neighbour) { return patches.at(rows_.position(neighbour)) == number; };
-    const std::uint32_t first = surface_.outgoing(vertex);
-    std::uint32_t spoke = first;
-    do {
-        if (!within(surface_.target(spoke))) return false;
-        const std::uint32_t arriving = Surface::previous(spoke);
-        spoke = surface_.twin(arriving);
-        if (spoke == no_index) return within(surface_.origin(arriving));
-    } while (spoke != first);
-    return true;
+    return surface_.all_of_ring(
+        vertex, [&](std::uint32_t neighbour) { return patches.at(rows_.position(neighbour)) == number; });
 }
 
-void Sweeper::take(const Sweep& sweep, std::uint32_t vertex, std::size_t member, Queue& next) {
+/// Whether the star has changed in this round, and is looked at in the next one.
+bool Sweeper::waits(const Sweep& sweep, std::uint32_t vertex, std::uint32_t round) const {
+    return changed_wait(sweep.effort) && touched_[vertex] == round;
+}
+
+void Sweeper::take(const Sweep& sweep, std::uint32_t vertex, std::size_t member, std::uint32_t round, Queue& next) {
     const std::size_t before = next.size();
     queued_[vertex] = 0;
-    if (changed_wait(sweep.effort) && touched_[vertex] == round_) queue(vertex, next);
-    else attempt(sweep, vertex, *removals_[member], next);
+    if (waits(sweep, vertex, round)) queue(vertex, next);
+    else attempt(sweep, vertex, *removals_[member], round, next);
     known_ += next.size() - before;
     ++taken_;
 }
 
-void Sweeper::attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal, Queue& next) {
+void Sweeper::attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal, std::uint32_t round, Queue& next) {
     fresh_[vertex] = 0;
     verdicts_[vertex] = removal.attempt(vertex, sweep.squared_limit, sweep.effort);
     if (verdicts_[vertex].refusal != Refusal::none) return;
@@ -179,7 +187,7 @@ void Sweeper::attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal
     removal.for_each_ring_vertex([&](std::uint32_t copy) {
         const std::uint32_t neighbour = surface_.site(copy);
         fresh_[neighbour] = 1;
-        touched_[neighbour] = round_;
+        touched_[neighbour] = round;
         queue(neighbour, next);
     });
 }

@@ -17,9 +17,9 @@ namespace meshbound {
 /// error. A sweep goes in rounds: what a round changes the next one looks at. It ends when no vertex is left to look at.
 ///
 /// A large round is cut into patches, which several threads take at once: of each the vertices whose neighbours all lie in the
-/// same patch. What a removal reads and writes belongs to its ring's vertices, so patches have nothing in common. The rest
-/// waits for the next round, whose cut runs elsewhere. Cuts follow from positions alone, so the result is the same for any
-/// number of threads.
+/// same patch, before the last sweep some rounds in a row. What a removal reads and writes belongs to its ring's vertices, so
+/// patches have nothing in common. The rest waits for the next round, whose cut runs elsewhere. Cuts follow from positions
+/// alone, so the result is the same for any number of threads.
 class Sweeper {
 public:
     /// `candidate[v]`: whether the site that vertex v names may go at all.
@@ -56,8 +56,9 @@ private:
     bool take_patch(const Sweep& sweep, const Patches& patches, std::size_t number, std::size_t member, Patch& patch);
     bool ring_lies_within(std::uint32_t vertex, const Patches& patches, std::size_t number) const;
     bool lies_within(std::uint32_t vertex, const Patches& patches, std::size_t number) const;
-    void take(const Sweep& sweep, std::uint32_t vertex, std::size_t member, Queue& next);
-    void attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal, Queue& next);
+    bool waits(const Sweep& sweep, std::uint32_t vertex, std::uint32_t round) const;
+    void take(const Sweep& sweep, std::uint32_t vertex, std::size_t member, std::uint32_t round, Queue& next);
+    void attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal, std::uint32_t round, Queue& next);
     bool tick(const Sweep& sweep, std::size_t member);
     void gather_team();
 
@@ -72,6 +73,7 @@ private:
     std::vector<char> fresh_;            // never looked at since its star changed
     std::vector<std::uint32_t> touched_; // the round in which the star last changed; rounds count from 1
     std::uint32_t round_ = 0;
+    std::uint32_t cuts_ = 0;
     bool next_whole_ = false; // the last cut left too much to the next round
     std::vector<Verdict> verdicts_;
     Queue queue_;                       // of the next round

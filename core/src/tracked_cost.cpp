@@ -65,14 +65,14 @@ double TrackedCost::diagonal(int i, int j) {
     return rows_.multipliers().scale_at(hole_->candidate, sum);
 }
 
-double TrackedCost::triangle(int a, int m, int b) {
+double TrackedCost::triangle(int a, int m, int b, double limit) {
     if (sample_.empty()) return 0;
     const int size = hole_->size();
     std::uint64_t inside = left_[at(a * size + m)] & left_[at(m * size + b)] & right_[at(a * size + b)];
     if (!inside) return 0;
     const JointTriangle joint(*products_, a, m, b);
     double sum = 0;
-    for (; inside; inside &= inside - 1) {
+    for (; inside && sum < limit; inside &= inside - 1) {
         const std::size_t vertex = sample_[static_cast<std::size_t>(std::countr_zero(inside))];
         const glm::dvec3 w = joint.nearest(products_->vertex(vertex)).weight;
         const std::uint32_t original = (*inner_)[vertex].vertex;

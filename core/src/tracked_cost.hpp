@@ -19,7 +19,7 @@ public:
 
     void enter(const Hole& hole, const std::vector<InnerVertex>& inner);
     double diagonal(int i, int j) override;
-    double triangle(int a, int m, int b) override;
+    double triangle(int a, int m, int b, double limit) override;
 
 private:
     void take_sample();
