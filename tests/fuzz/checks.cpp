@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -90,6 +91,19 @@ void check_judgement(const Mesh& mesh, const Options& options, const Reduction& 
             "the judge agrees about the boundary");
 }
 
+/// Whether coordinates are within the range in which meeting is decided exactly (Options::refuse_piercing).
+bool is_decided_exactly(const Mesh& mesh) {
+    constexpr double least_share = 1e-150;
+    double largest = 0, least = std::numeric_limits<double>::infinity();
+    for (std::size_t v = 0; v < vertex_count(mesh); ++v)
+        for (int axis = 0; axis < 3; ++axis) {
+            const double size = std::abs(value_at(mesh.position, v, axis));
+            largest = std::max(largest, size);
+            if (size > 0) least = std::min(least, size);
+        }
+    return least > least_share * largest;
+}
+
 /// Triangles of the result meet only if both are triangles of the input.
 void check_piercing(const Mesh& mesh, const Reduction& reduction) {
     std::set<std::set<std::uint32_t>> before;
@@ -141,7 +155,7 @@ void check_reduction(const Mesh& mesh, const Options& options, const Reduction& 
     check_feature_size(options, reduction.report);
     if (options.errors == Errors::tracked) check_map(rest, options, reduction);
     else if (!rest.triangles.empty()) check_judgement(rest, options, reduction);
-    if (options.refuse_piercing) check_piercing(mesh, reduction);
+    if (options.refuse_piercing && is_decided_exactly(mesh)) check_piercing(mesh, reduction);
 }
 
 void check_levels(const Mesh& mesh, const Options& options, const Levels& levels) {

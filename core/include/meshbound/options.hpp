@@ -41,7 +41,8 @@ struct Options {
 
     /// Refuse every retriangulation with a triangle that would pierce or touch another lobe of the surface that passes near,
     /// or meet any other triangle beyond the corners and edges that they have in common (§3.2.3). Two triangles of the
-    /// result then meet only if both are triangles of the input, which met before. Decided exactly.
+    /// result then meet only if both are triangles of the input, which met before. Decided exactly, as long as no coordinate
+    /// but 0 is below 1e-150 of the largest.
     bool refuse_piercing = false;
 
     /// Limit the bound of position to half the feature size (see feature_size): two lobes, both of which may move, then stay
