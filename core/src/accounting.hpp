@@ -12,7 +12,7 @@ namespace meshbound {
 /// The worst error that a removal would leave: its squared ratio to the bound and the variable it stands in (0: position).
 struct Measured {
     double squared_ratio = 0;
-    std::size_t variable = 0;
+    std::uint32_t variable = 0;
 };
 
 /// The error of one variable on one triangle, in bounds (free variables: in units of their scale).

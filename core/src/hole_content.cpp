@@ -138,12 +138,16 @@ void HoleContent::add_rim_pieces(const OriginalEdges& edges, const Crossings& cr
 
 /// Whole original edges from this inner vertex to another inner vertex or to the ring.
 void HoleContent::add_vertex_pieces(const OriginalEdges& edges, const Crossings& crossings, const InnerVertex& inner) {
-    for (const std::uint32_t edge : edges.at(inner.vertex)) {
-        const bool from_lower = edges.lower(edge) == inner.vertex;
-        if (!from_lower && position_[edges.lower(edge)] < 0) continue; // found from its lower end
+    for (const auto& [edge, end] : edges.at(inner.vertex)) {
+        const int position = position_[end];
+        if (position == 0) continue; // leaves the hole by a rim: found there
+        const bool from_lower = inner.vertex < end;
+        if (!from_lower && position < 0) continue; // found from its lower end
         const std::uint32_t id = from_lower ? crossings.first(edge) : crossings.last(edge);
         if (walk(crossings, id, from_lower) != no_index) continue; // reaches a rim: found there
-        pieces_.push_back({edge, end_at_vertex(edges.lower(edge), 0), end_at_vertex(edges.upper(edge), 1)});
+        const PieceEnd here = end_at_vertex(inner.vertex, from_lower ? 0 : 1);
+        const PieceEnd there = end_at_vertex(end, from_lower ? 1 : 0);
+        pieces_.push_back(from_lower ? Piece{edge, here, there} : Piece{edge, there, here});
     }
 }
 

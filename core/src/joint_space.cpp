@@ -40,12 +40,13 @@ glm::dvec2 nearest_on_edges(const PlaneProducts& products, const JointTriangle::
     return best;
 }
 
-glm::dvec2 nearest_in_triangle(const PlaneProducts& products, const JointTriangle::Inverses& inverses) {
+/// In the plane of the triangle.
+glm::dvec2 nearest_in_plane(const PlaneProducts& products, const JointTriangle::Inverses& inverses) {
     const auto& [uu, uv, vv, uw, vw, ww] = products;
-    const glm::dvec2 place((uw * vv - vw * uv) * inverses.determinant, (vw * uu - uw * uv) * inverses.determinant);
-    const bool inside = inverses.determinant > 0 && place.x >= 0 && place.y >= 0 && place.x + place.y <= 1;
-    return inside ? place : nearest_on_edges(products, inverses);
+    return {(uw * vv - vw * uv) * inverses.determinant, (vw * uu - uw * uv) * inverses.determinant};
 }
+
+bool lies_inside(const glm::dvec2& place) { return place.x >= 0 && place.y >= 0 && place.x + place.y <= 1; }
 
 } // namespace
 
@@ -54,7 +55,9 @@ double without_noise(double squared_distance, double products) {
 }
 
 glm::dvec2 nearest_in_triangle(const PlaneProducts& products) {
-    return nearest_in_triangle(products, inverses_of(products));
+    const JointTriangle::Inverses inverses = inverses_of(products);
+    const glm::dvec2 place = nearest_in_plane(products, inverses);
+    return inverses.determinant > 0 && lies_inside(place) ? place : nearest_on_edges(products, inverses);
 }
 
 JointTriangle::JointTriangle(const HoleProducts& products, int a, int b, int c)
@@ -69,15 +72,21 @@ JointTriangle::JointTriangle(const HoleProducts& products, int a, int b, int c)
     inverses_ = inverses_of(edges_);
 }
 
-JointTriangle::Nearest JointTriangle::nearest(const double* along) const {
+JointTriangle::Nearest JointTriangle::nearest(const double* along, double limit) const {
     const double from_a = along[a_];
     PlaneProducts to_vertex = edges_;
     to_vertex.uw = along[b_] - from_a - au_;
     to_vertex.vw = along[c_] - from_a - av_;
-    const glm::dvec2 place = nearest_in_triangle(to_vertex, inverses_);
-    const double own = along[size_] - 2 * from_a + aa_;
-    return {{std::max(0.0, 1 - place.x - place.y), place.x, place.y},
-            without_noise(own + to_vertex.squared_at(place), along[size_] + aa_ + edges_.uu + edges_.vv)};
+    to_vertex.ww = along[size_] - 2 * from_a + aa_;
+    const double products = along[size_] + aa_ + edges_.uu + edges_.vv;
+    const bool has_area = inverses_.determinant > 0;
+    glm::dvec2 place = nearest_in_plane(to_vertex, inverses_);
+    double squared_distance = without_noise(to_vertex.squared_at(place), products);
+    if (!has_area || (squared_distance < limit && !lies_inside(place))) {
+        place = nearest_on_edges(to_vertex, inverses_);
+        squared_distance = without_noise(to_vertex.squared_at(place), products);
+    }
+    return {{std::max(0.0, 1 - place.x - place.y), place.x, place.y}, squared_distance};
 }
 
 glm::dvec2 nearest_parameters(const PlaneProducts& products, double low, double high) {

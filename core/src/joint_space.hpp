@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -34,8 +36,9 @@ public:
         glm::dvec3 weight{1, 0, 0}; // barycentric
         double squared_distance = 0;
     };
-    /// `along`: the products of the vertex (HoleProducts::vertex).
-    Nearest nearest(const double* along) const;
+    /// `along`: the products of the vertex (HoleProducts::vertex). Where the squared distance is not below `limit`, a lower
+    /// bound of it that is not either may come instead, with any weight.
+    Nearest nearest(const double* along, double limit = std::numeric_limits<double>::infinity()) const;
 
 private:
     int a_, b_, c_, size_;

@@ -114,7 +114,9 @@ bool Legality::touches_own_site(const Surface& surface, const Hole& hole) const 
     return surface.has_sites() && std::find(sites_.begin(), sites_.end(), surface.site(hole.candidate)) != sites_.end();
 }
 
-void Legality::take(int i, int j) { taken_[at(i * hole_->size() + j)] = taken_[at(j * hole_->size() + i)] = Taken::yes; }
+void Legality::take(int i, int j) {
+    taken_[at(i * hole_->size() + j)] = taken_[at(j * hole_->size() + i)] = Taken::yes;
+}
 
 void Legality::find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole) {
     neighbours_.assign(at(hole.sectors()), glm::dvec3(0));

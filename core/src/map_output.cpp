@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -43,16 +44,34 @@ void place_residents(const Surface& surface, const Residents& residents, std::ui
     }
 }
 
-/// The ends of the current edges, by edge, in the input's vertices.
-std::vector<glm::uvec2> edge_ends(const Surface& surface) {
-    std::vector<glm::uvec2> ends(surface.edge_count(), glm::uvec2(no_index));
-    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
-        if (!surface.alive(slot)) continue;
-        for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h)
-            ends[surface.edge(h)] = {std::min(surface.origin(h), surface.target(h)),
-                                     std::max(surface.origin(h), surface.target(h))};
+/// The current edges, few beside those that were, with their ends.
+class CurrentEdges {
+public:
+    explicit CurrentEdges(const Surface& surface) {
+        for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
+            if (!surface.alive(slot)) continue;
+            for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h)
+                if (surface.twin(h) == no_index || h < surface.twin(h))
+                    edges_.push_back({surface.edge(h), std::minmax({surface.origin(h), surface.target(h)})});
+        }
+        std::sort(edges_.begin(), edges_.end());
     }
-    return ends;
+
+    /// The lower one first.
+    const std::pair<std::uint32_t, std::uint32_t>& ends(std::uint32_t edge) const {
+        return std::lower_bound(edges_.begin(), edges_.end(), Edge{edge, {0, 0}})->second;
+    }
+
+private:
+    using Edge = std::pair<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>>;
+    std::vector<Edge> edges_; // by their numbers
+};
+
+std::size_t crossings_on(const OriginalEdges& edges, const Crossings& crossings) {
+    std::size_t count = 0;
+    for (std::uint32_t edge = 0; edge < edges.size(); ++edge)
+        for (std::uint32_t id = crossings.first(edge); id != no_index; id = crossings[id].next) ++count;
+    return count;
 }
 
 } // namespace
@@ -64,16 +83,17 @@ void extract_map(const Surface& surface, const Tracking& tracking, const std::ve
         if (!ticker.tick(1)) return;
         if (surface.alive(slot)) place_residents(surface, tracking.map().residents, slot, renamed_triangle, map);
     }
-    const std::vector<glm::uvec2> ends = edge_ends(surface);
+    const CurrentEdges current(surface);
     const OriginalEdges& edges = tracking.map().edges;
     const Crossings& crossings = tracking.map().crossings;
+    map.crossings.reserve(crossings_on(edges, crossings));
     for (std::uint32_t edge = 0; edge < edges.size() && ticker.tick(1); ++edge)
         for (std::uint32_t id = crossings.first(edge); id != no_index; id = crossings[id].next) {
             const Crossing& crossing = crossings[id];
-            const glm::uvec2 reduced = ends[crossing.current];
+            const auto& [lower, upper] = current.ends(crossing.current);
             map.crossings.push_back({{surface.input(edges.lower(edge)), surface.input(edges.upper(edge))},
                                      crossing.s,
-                                     {renamed_vertex[reduced.x], renamed_vertex[reduced.y]},
+                                     {renamed_vertex[lower], renamed_vertex[upper]},
                                      crossing.t,
                                      crossing.rightward});
         }

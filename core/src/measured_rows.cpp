@@ -2,32 +2,20 @@
 
 namespace meshbound {
 
-MeasuredRows::MeasuredRows(const Rows& rows, std::size_t vertices) : multipliers_(&rows.multipliers()) {
-    std::vector<int> source; // by packed component: component of the full row, or -1 for padding
-    const auto pad = [&] {
-        if (source.size() % 2) source.push_back(-1);
-    };
-    const auto lanes = [&] { return static_cast<int>(source.size() / 2); };
-    for (const RowGroup& group : rows.groups()) {
+MeasuredRows::MeasuredRows(const Rows& rows) : rows_(&rows) {
+    const std::vector<RowGroup>& groups = rows.groups();
+    begin_ =
+        groups.front().bounded ? 0 : groups.front().count + groups.front().count % 2; // position, which comes first
+    const auto add_lanes = [this](int components) { return lanes_ += (components + 1) / 2; };
+    for (const RowGroup& group : groups) {
         if (!group.bounded || group.count == 1) continue;
-        const int first = lanes();
-        for (int i = 0; i < group.count; ++i) source.push_back(group.first + i);
-        pad();
-        vectors_.push_back({first, lanes(), group.variable});
+        const int first = lanes_;
+        vectors_.push_back({first, add_lanes(group.count), group.variable});
     }
-    scalars_ = lanes();
-    for (const RowGroup& group : rows.groups()) {
-        if (!group.bounded || group.count != 1) continue;
-        source.push_back(group.first);
-        scalar_variables_.push_back(group.variable);
-    }
-    pad();
-    lanes_ = lanes();
-    values_.resize(vertices * source.size());
-    for (std::size_t vertex = 0; vertex < vertices; ++vertex)
-        for (std::size_t i = 0; i < source.size(); ++i)
-            values_[vertex * source.size() + i] =
-                source[i] < 0 ? 0 : rows[static_cast<std::uint32_t>(vertex)][source[i]];
+    scalars_ = lanes_;
+    for (const RowGroup& group : groups)
+        if (group.bounded && group.count == 1) scalar_variables_.push_back(group.variable);
+    add_lanes(static_cast<int>(scalar_variables_.size()));
 }
 
 } // namespace meshbound

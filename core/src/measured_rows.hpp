@@ -13,18 +13,18 @@ namespace meshbound {
 /// the same arithmetic, so the same bytes, on all of them.
 using Lane = double __attribute__((vector_size(16)));
 
-/// The bounded components of the rows alone, packed for the inner loops: variables with several components first, each padded
-/// to whole lanes with zeros, then all scalars side by side.
+/// The bounded components of the rows alone, as the inner loops go through them: variables with several components first,
+/// each in lanes of its own, then all scalars side by side.
 ///
 ///     position (3), pressure, temperature, energy:   | x y | z 0 | p t | e 0 |   two lanes of position, two of scalars
 class MeasuredRows {
 public:
     /// The rows outlive it.
-    explicit MeasuredRows(const Rows& rows, std::size_t vertices);
+    explicit MeasuredRows(const Rows& rows);
 
-    const double* operator[](std::uint32_t vertex) const { return values_.data() + vertex * 2 * std::size_t(lanes_); }
+    const double* operator[](std::uint32_t vertex) const { return (*rows_)[vertex] + begin_; }
     int lanes() const { return lanes_; }
-    const Multipliers& multipliers() const { return *multipliers_; }
+    const Multipliers& multipliers() const { return rows_->multipliers(); }
     /// How many variables are bounded, position among them.
     double variables() const { return static_cast<double>(vectors_.size() + scalar_variables_.size()); }
     static Lane lane(const double* row, int i) {
@@ -55,10 +55,10 @@ public:
 
     /// The variable (0: position) in which a difference is largest.
     template <class Difference>
-    std::size_t worst_variable(const Difference& difference) const {
+    std::uint32_t worst_variable(const Difference& difference) const {
         double worst = -1;
-        std::size_t variable = 0;
-        const auto consider = [&](double square, std::size_t candidate) {
+        std::uint32_t variable = 0;
+        const auto consider = [&](double square, std::uint32_t candidate) {
             if (square <= worst) return;
             worst = square;
             variable = candidate;
@@ -118,14 +118,14 @@ public:
 private:
     struct Vector {
         int first = 0, end = 0; // lanes
-        std::size_t variable = 0;
+        std::uint32_t variable = 0;
     };
-    const Multipliers* multipliers_; // of the rows
+    const Rows* rows_;
+    int begin_ = 0; // of the first lane in the row
     int lanes_ = 0;
     int scalars_ = 0; // first lane of the scalars
     std::vector<Vector> vectors_;
-    std::vector<std::size_t> scalar_variables_;
-    std::vector<double> values_;
+    std::vector<std::uint32_t> scalar_variables_;
 };
 
 } // namespace meshbound

@@ -4,6 +4,15 @@
 
 namespace meshbound {
 
+/// How much of a segmentation there is.
+struct Folds {
+    std::size_t cells = 0, folded_cells = 0;
+};
+
+/// Counts without keeping anything; of an original whose triangles agree already which side is the front one. Nothing where
+/// `progress` cancels.
+Folds count_folds(const MappedSurfaces& surfaces, const Progress& progress = {});
+
 /// As `segment`, of an original whose triangles agree already which side is the front one.
 void segment_oriented(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress = {});
 

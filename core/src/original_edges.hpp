@@ -19,14 +19,19 @@ public:
     std::uint32_t upper(std::uint32_t edge) const { return ends_[2 * std::size_t(edge) + 1]; }
     std::size_t size() const { return ends_.size() / 2; }
 
+    /// An edge at one of its ends.
+    struct Spoke {
+        std::uint32_t edge, end; ///< and its other end
+    };
     /// The edges between two triangles that end at a vertex.
-    std::span<const std::uint32_t> at(std::uint32_t vertex) const {
-        return {edges_.data() + start_[vertex], edges_.data() + start_[vertex + std::size_t{1}]};
+    std::span<const Spoke> at(std::uint32_t vertex) const {
+        return {spokes_.data() + start_[vertex], spokes_.data() + start_[vertex + std::size_t{1}]};
     }
 
 private:
     std::vector<std::uint32_t> ends_;
-    std::vector<std::uint32_t> start_, edges_; // by vertex: edges_[start_[v]] … edges_[start_[v + 1] - 1]
+    std::vector<std::uint32_t> start_; // by vertex: spokes_[start_[v]] … spokes_[start_[v + 1] - 1]
+    std::vector<Spoke> spokes_;
 };
 
 } // namespace meshbound

@@ -1,6 +1,8 @@
 #include "original_normals.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -8,6 +10,12 @@ namespace meshbound {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
+
+/// Rounded down.
+float lower_float(double value) {
+    const auto rounded = static_cast<float>(value);
+    return rounded > value ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
+}
 
 /// Calls `visit` with the corners of each triangle and its area vector.
 template <class Visit>
@@ -22,19 +30,22 @@ void for_each_triangle(const Surface& surface, const Rows& rows, Visit visit) {
 
 } // namespace
 
-OriginalNormals::OriginalNormals(const Surface& surface, const Rows& rows)
-    : normals_(surface.vertex_count(), glm::dvec3(0)), least_(surface.vertex_count(), 0) {
+OriginalNormals::OriginalNormals(const Surface& surface, const Rows& rows) : least_(surface.vertex_count(), 0) {
+    std::vector<glm::dvec3> vectors(surface.vertex_count(), glm::dvec3(0));
     for_each_triangle(surface, rows, [&](const Corners& corners, const glm::dvec3& vector) {
-        for (const std::uint32_t corner : corners) normals_[corner] += vector;
+        for (const std::uint32_t corner : corners) vectors[corner] += vector;
     });
-    for (glm::dvec3& normal : normals_)
-        if (const double length = glm::length(normal); length > 0) normal /= length;
+    normals_.reserve(vectors.size());
+    for (const glm::dvec3& vector : vectors) {
+        const double length = glm::length(vector);
+        normals_.push_back(length > 0 ? vector / length : glm::dvec3(0));
+    }
     for_each_triangle(surface, rows, [&](const Corners& corners, const glm::dvec3& vector) {
         const glm::dvec3 mean = sum(corners);
         const double product = glm::dot(mean, vector);
         if (!(product < 0)) return;
         const double cosine = product / (glm::length(mean) * glm::length(vector));
-        for (const std::uint32_t corner : corners) least_[corner] = std::min(least_[corner], cosine);
+        for (const std::uint32_t corner : corners) least_[corner] = std::min(least_[corner], lower_float(cosine));
     });
 }
 
@@ -42,7 +53,7 @@ bool OriginalNormals::turns(const Corners& corners, const glm::dvec3& normal, do
     const glm::dvec3 mean = sum(corners);
     const double product = glm::dot(mean, normal);
     if (!(product < 0)) return false; // as almost always; then no root is needed
-    const double least = std::min({least_[corners[0]], least_[corners[1]], least_[corners[2]]});
+    const float least = std::min({least_[corners[0]], least_[corners[1]], least_[corners[2]]});
     return product < least * glm::length(mean) * length;
 }
 

@@ -29,11 +29,12 @@ public:
 
 private:
     glm::dvec3 sum(const std::array<std::uint32_t, 3>& corners) const {
-        return normals_[corners[0]] + normals_[corners[1]] + normals_[corners[2]];
+        return glm::dvec3(normals_[corners[0]]) + glm::dvec3(normals_[corners[1]]) + glm::dvec3(normals_[corners[2]]);
     }
 
-    std::vector<glm::dvec3> normals_; // by vertex, of unit length; zero where the original faces nowhere
-    std::vector<double> least_;       // by vertex: the least cosine by which a triangle there turns, or 0
+    // In single precision, which is enough for a direction.
+    std::vector<glm::vec3> normals_; // by vertex, of unit length; zero where the original faces nowhere
+    std::vector<float> least_;       // by vertex: the least cosine by which a triangle there turns, or 0
 };
 
 } // namespace meshbound

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "indexing.hpp"
 #include "propagated_removal.hpp"
 
 namespace meshbound {
@@ -19,18 +21,23 @@ std::unique_ptr<RemovalAccounting> Propagation::removals() {
     return std::make_unique<PropagatedRemoval>(*rows_, intervals_, least_, charged_);
 }
 
+/// Other variables may be free, so components may have other places, too.
 void Propagation::measure_in(const Rows& rows) {
-    std::vector<double> scale(width());
+    const std::size_t slots = intervals_.size() / width(), old_width = width(), new_width = at(rows.width()) + 1;
+    std::vector<ErrorInterval> intervals(slots * new_width);
+    const auto scale = [&](std::size_t from, std::size_t to, double ratio) {
+        for (std::size_t slot = 0; slot < slots; ++slot) {
+            const ErrorInterval& old = intervals_[slot * old_width + from];
+            intervals[slot * new_width + to] = {old.lowest * ratio, old.highest * ratio};
+        }
+    };
     for (std::size_t n = 0; n < rows.groups().size(); ++n) {
-        const RowGroup& group = rows.groups()[n];
-        const double ratio = rows_->unit(group) / rows.unit(group);
-        for (int i = group.first; i < group.first + group.count; ++i) scale[static_cast<std::size_t>(i)] = ratio;
-        if (group.variable == 0) scale.back() = ratio; // the signed distance
+        const RowGroup &before = rows_->groups()[n], &after = rows.groups()[n];
+        const double ratio = rows_->unit(before) / rows.unit(after);
+        for (int i = 0; i < after.count; ++i) scale(at(before.first + i), at(after.first + i), ratio);
+        if (after.variable == 0) scale(old_width - 1, new_width - 1, ratio); // the signed distance
     }
-    for (std::size_t i = 0; i < intervals_.size(); ++i) {
-        intervals_[i].lowest *= scale[i % width()];
-        intervals_[i].highest *= scale[i % width()];
-    }
+    intervals_ = std::move(intervals);
     rows_ = &rows;
 }
 

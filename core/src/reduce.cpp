@@ -27,7 +27,7 @@ Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Re
         std::optional<double> feature;
         if (Status status = limit_to_feature_size(mesh, options, resolved, feature, ticker); !status.ok())
             return status;
-        reduction = ReductionRun(mesh, options, oddities, ticker).reduce_within(resolved[0], {});
+        reduction = ReductionRun(mesh, options, oddities, ticker).end_within(resolved[0]);
         reduction.report.feature_size = feature;
         ticker.finish();
         return {};

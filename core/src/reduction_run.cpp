@@ -87,6 +87,11 @@ Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, 
     return reduction;
 }
 
+Reduction ReductionRun::end_within(const std::vector<ResolvedBound>& bounds) {
+    ends_ = true;
+    return reduce_within(bounds, {});
+}
+
 /// What the surface was made from, without its variables.
 Mesh ReductionRun::oriented_shape() const {
     Mesh shape;
@@ -128,18 +133,23 @@ void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Re
     set_bounds(bounds);
     look_at_original();
     if (!ticker_.ask()) return;
-    const std::vector<char> candidate = find_candidates(mesh_, surface_, options_);
     const std::unique_ptr<LinkedTracking> linked = link ? link_from_here(bounds) : nullptr;
-    Sweeper sweeper(surface_, *rows_, linked ? static_cast<Accounting&>(*linked) : *accounting_, candidate, team_,
-                    {*normals_, piercing_.get()});
+    Accounting& accounting = linked ? static_cast<Accounting&>(*linked) : *accounting_;
+    if (sweep(bounds, accounting, span, reduction.report)) report_everything(reduction, linked.get(), link);
+}
+
+bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, Accounting& accounting, const ProgressSpan& span,
+                         Report& report) {
+    const std::vector<char> candidate = find_candidates(mesh_, surface_, options_);
+    Sweeper sweeper(surface_, *rows_, accounting, candidate, team_, {*normals_, piercing_.get()});
     const double swept = span.start + sweeping_share * (span.end - span.start);
     const std::vector<double> limits = limits_of_sweeps(bounds);
     reached_ = bounds;
-    if (!sweeper.sweep(limits, ticker_, span.start, swept)) return;
-    count_refusals(surface_, sweeper, candidate, reduction.report);
-    reduction.report.turned_before = turned_before_;
-    reduction.report.turned_after = normals_->count_turned(surface_, *rows_);
-    report_everything(reduction, linked.get(), link);
+    if (!sweeper.sweep(limits, ticker_, span.start, swept)) return false;
+    count_refusals(surface_, sweeper, candidate, report);
+    report.turned_before = turned_before_;
+    report.turned_after = normals_->count_turned(surface_, *rows_);
+    return true;
 }
 
 /// The finer level lies within its bounds of the original and the coarser one within its own: a map between them that
@@ -151,22 +161,29 @@ std::unique_ptr<LinkedTracking> ReductionRun::link_from_here(std::vector<Resolve
                                             surface_, options_);
 }
 
-/// Everything that a finished result tells; incomplete where the ticker cancels.
+/// Everything that a finished result tells; incomplete where the ticker cancels. What is not needed any more goes first.
 void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link) {
+    if (ends_) {
+        normals_.reset();
+        piercing_.reset();
+    }
     const Renaming renamed = extract_mesh(mesh_, surface_, reduction);
     extract_errors(surface_, *rows_, *accounting_, reduction, ticker_);
     const auto* tracking = dynamic_cast<const Tracking*>(accounting_.get());
     if (!tracking) return;
     extract_map(surface_, *tracking, renamed.vertex, renamed.triangle, reduction.map, ticker_);
-    extract_vertex_errors(*rows_, surface_, reduction, reduction.vertex_errors, ticker_);
     if (linked) linked->extract(renamed.vertex, renamed.triangle, reduction.vertices, *link, ticker_);
-    if (!options_.count_folds || ticker_.cancelled()) return;
-    Segmentation segmentation;
+    if (ends_) accounting_.reset();
+    extract_vertex_errors(*rows_, surface_, reduction, reduction.vertex_errors, ticker_);
+    if (options_.count_folds && !ticker_.cancelled()) count_folds(reduction);
+}
+
+void ReductionRun::count_folds(Reduction& reduction) const {
     const Mesh oriented = oriented_.empty() ? Mesh{} : oriented_shape();
-    segment_oriented({oriented_.empty() ? mesh_ : oriented, reduction}, segmentation,
-                     [this](double) { return ticker_.ask(); });
-    reduction.report.cells = segmentation.cells.size();
-    reduction.report.folded_cells = segmentation.folded_cells;
+    const Folds folds = meshbound::count_folds({oriented_.empty() ? mesh_ : oriented, reduction},
+                                               [this](double) { return ticker_.ask(); });
+    reduction.report.cells = folds.cells;
+    reduction.report.folded_cells = folds.folded_cells;
 }
 
 /// What a cancelled call leaves: the surface as far as it got, and the bounds that it keeps.

@@ -35,6 +35,10 @@ public:
     Reduction reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span,
                             LevelLink* link = nullptr);
 
+    /// The same for a run that ends with it: what only a further call would need goes as soon as it can, which keeps the peak
+    /// of the memory low. Nothing may be asked of the run afterwards.
+    Reduction end_within(const std::vector<ResolvedBound>& bounds);
+
 private:
     void orient_surface();
     void drop_small_parts(double bound);
@@ -43,9 +47,12 @@ private:
     void set_bounds(const std::vector<ResolvedBound>& bounds);
     std::unique_ptr<LinkedTracking> link_from_here(std::vector<ResolvedBound> bounds) const;
     std::vector<double> limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const;
+    bool sweep(const std::vector<ResolvedBound>& bounds, Accounting& accounting, const ProgressSpan& span,
+               Report& report);
     void sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction, const ProgressSpan& span,
                           LevelLink* link);
     void report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link);
+    void count_folds(Reduction& reduction) const;
     void report_cancelled(Reduction& reduction) const;
 
     const Mesh& mesh_;
@@ -62,6 +69,7 @@ private:
     std::size_t turned_before_ = 0;
     std::unique_ptr<Piercing> piercing_; // where piercing is refused
     std::vector<ResolvedBound> reached_; // the bounds of the last call; empty before the first
+    bool ends_ = false;                  // no call follows
 };
 
 } // namespace meshbound

@@ -27,8 +27,8 @@ enum class Refusal : std::uint8_t {
 
 struct Verdict {
     Refusal refusal = Refusal::none;
-    double squared_ratio = 0; ///< with Refusal::bound: at least this squared ratio to the bound would have resulted
-    std::size_t variable = 0; ///< and in this variable
+    std::uint32_t variable = 0; ///< with Refusal::bound: the one in which it would break …
+    double squared_ratio = 0;   ///< … and at least this squared ratio to the bound would have resulted
 };
 
 /// What of the surface's shape is looked at besides the hole (§3.2.3).

@@ -41,6 +41,19 @@ void fill(const Variable& variable, const RowGroup& group, double unit, std::siz
 
 } // namespace
 
+/// Gives the groups that are meant the next places, each an even one but for a scalar behind a scalar.
+template <class Which>
+void Rows::place(const Which& which) {
+    const auto pad = [this] { width_ += width_ % 2; };
+    for (RowGroup& group : groups_) {
+        if (!which(group)) continue;
+        if (group.count > 1) pad();
+        group.first = width_;
+        width_ += group.count;
+    }
+    pad();
+}
+
 Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* focus,
            const std::vector<std::uint32_t>& inputs)
     : multipliers_(focus, inputs) {
@@ -48,12 +61,15 @@ Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Var
         return i == 0 ? mesh.position : mesh.variables[i - 1];
     };
     double margin = 0;
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-        groups_.push_back({width_, variable(i).components, i, std::isfinite(bounds[i].absolute)});
+    for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+        groups_.push_back({0, variable(i).components, i, std::isfinite(bounds[i].absolute)});
         units_.push_back(unit_of(bounds[i]));
-        width_ += variable(i).components;
         margin = std::max(margin, rounding_margin(bounds[i]));
     }
+    place([](const RowGroup& group) { return group.variable == 0; });
+    place([](const RowGroup& group) { return group.variable != 0 && group.bounded && group.count > 1; });
+    place([](const RowGroup& group) { return group.bounded && group.count == 1; });
+    place([](const RowGroup& group) { return group.variable != 0 && !group.bounded; });
     limit_ = 1 - margin / multipliers_.least();
     const std::size_t vertices = inputs.empty() ? vertex_count(mesh) : inputs.size();
     values_.resize(vertices * static_cast<std::size_t>(width_));

@@ -11,18 +11,21 @@
 
 namespace meshbound {
 
-/// The components of one variable within a row.
+/// The components of one variable within a row, side by side.
 struct RowGroup {
-    int first = 0, count = 0; ///< components [first, first + count) of the row
-    std::size_t variable = 0; ///< 0 is position, i + 1 the mesh's variable i
-    bool bounded = true;      ///< a free variable stands in units of its scale and holds nothing back
+    int first = 0, count = 0;   ///< components [first, first + count) of the row
+    std::uint32_t variable = 0; ///< 0 is position, i + 1 the mesh's variable i
+    bool bounded = true;        ///< a free variable stands in units of its scale and holds nothing back
 };
 
 /// Every vertex as one row of numbers measured in bounds: position first, then the variables, each component centred and
 /// divided by its variable's bound. Every check of the promise becomes "norm of each group ≤ 1", without units. Free
 /// variables are divided by their extent instead.
 ///
-///     3 vertices, bounds position 0.5, pressure 10:   row = {x / 0.5, y / 0.5, z / 0.5, p / 10} (each centred)
+/// For the inner loops (MeasuredRows) what is bounded stands together, in pairs: variables with several components, each
+/// filled up with zero to an even number, then all scalars. Behind it stands what is free.
+///
+///     position (3), pressure, velocity (3), free: energy:   | x y | z 0 | vx vy | vz 0 | p 0 | e 0 |   (each centred)
 class Rows {
 public:
     Rows() = default;
@@ -32,8 +35,9 @@ public:
          const std::vector<std::uint32_t>& inputs = {});
 
     const double* operator[](std::uint32_t vertex) const { return &values_[vertex * std::size_t(width_)]; }
+    /// Numbers in a row, zeros between groups among them; even.
     int width() const { return width_; }
-    const std::vector<RowGroup>& groups() const { return groups_; }
+    const std::vector<RowGroup>& groups() const { return groups_; } ///< by variable: position, then the mesh's
 
     /// Position of a vertex, in bounds of position.
     glm::dvec3 position(std::uint32_t vertex) const {
@@ -51,6 +55,9 @@ public:
     const Multipliers& multipliers() const { return multipliers_; }
 
 private:
+    template <class Which>
+    void place(const Which& which);
+
     int width_ = 0;
     double limit_ = 1;
     Multipliers multipliers_;

@@ -48,49 +48,67 @@ bool repeats_vertex(const glm::uvec3& triangle) {
     return triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x;
 }
 
-bool cut_into_cells(const MappedSurfaces& surfaces, Segmentation& segmentation, Ticker& ticker) {
-    const std::vector<glm::uvec3>& triangles = surfaces.original.triangles;
-    const Faces faces(surfaces.reduced);
-    const Outlines outlines(surfaces, faces);
-    CellCutter cutter(faces, surfaces.original.regions);
-    Outline outline;
-    for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle) {
-        if (repeats_vertex(triangles[triangle])) continue;
-        if (surfaces.map.places[triangles[triangle].x].triangle == nowhere) continue; // of a part that was left out
-        outlines.trace(triangle, outline);
-        cutter.cut(triangle, outline, segmentation);
-        if (!ticker.tick(1, 0.5 * triangle / static_cast<double>(triangles.size()))) return false;
-    }
-    return true;
+/// Segments one original triangle after the other.
+class Segmenter {
+public:
+    explicit Segmenter(const MappedSurfaces& surfaces)
+        : surfaces_(surfaces), faces_(surfaces.reduced), outlines_(surfaces, faces_),
+          cutter_(faces_, surfaces.original.regions) {}
+
+    /// Adds the cells and pieces of a triangle, and what of them is folded (areas in the unit of the surfaces').
+    void add(std::uint32_t triangle, Segmentation& segmentation);
+
+private:
+    void cut_into_pieces(SegmentationCell& cell, Segmentation& segmentation);
+
+    const MappedSurfaces& surfaces_;
+    Faces faces_;
+    Outlines outlines_;
+    CellCutter cutter_;
+    Outline outline_;
+    CellTriangulation triangulation_;
+    std::vector<CellPlace> places_;
+};
+
+void Segmenter::add(std::uint32_t triangle, Segmentation& segmentation) {
+    const glm::uvec3& corners = surfaces_.original.triangles[triangle];
+    if (repeats_vertex(corners)) return;
+    if (surfaces_.map.places[corners.x].triangle == nowhere) return; // of a part that was left out
+    outlines_.trace(triangle, outline_);
+    std::size_t cell = segmentation.cells.size();
+    cutter_.cut(triangle, outline_, segmentation);
+    for (; cell < segmentation.cells.size(); ++cell) cut_into_pieces(segmentation.cells[cell], segmentation);
 }
 
-/// Triangulates all cells and adds up what is folded.
-bool cut_into_pieces(const MappedSurfaces& surfaces, Segmentation& segmentation, Ticker& ticker) {
-    CellTriangulation triangulation;
-    std::vector<CellPlace> places;
-    double folded_original = 0, folded_reduced = 0;
-    for (SegmentationCell& cell : segmentation.cells) {
-        cell.first_piece = static_cast<std::uint32_t>(segmentation.pieces.size());
-        const std::uint32_t* corners = &segmentation.corners[cell.first_corner];
-        places.clear();
-        for (std::uint32_t i = 0; i < cell.corner_count; ++i)
-            places.push_back(
-                {place_in_original(surfaces, cell, corners[i]), place_in_reduced(surfaces, cell, corners[i])});
-        const std::size_t folded_before = segmentation.folded_pieces;
-        triangulation.for_each_piece(places, [&](std::size_t i, std::size_t j, std::size_t k) {
-            segmentation.pieces.push_back({corners[i], corners[j], corners[k]});
-            const PieceShares shares = piece_shares(places[i], places[j], places[k]);
-            if (!shares.folded()) return;
-            ++segmentation.folded_pieces;
-            folded_original += shares.original * area(surfaces.original, surfaces.original.triangles[cell.original]);
-            folded_reduced -= shares.reduced * area(surfaces.reduced, surfaces.reduced.triangles[cell.reduced]);
-        });
-        if (segmentation.folded_pieces > folded_before) ++segmentation.folded_cells;
-        const auto done = static_cast<double>(cell.first_corner) / static_cast<double>(segmentation.corners.size());
-        if (!ticker.tick(1, 0.5 + 0.5 * done)) return false;
+void Segmenter::cut_into_pieces(SegmentationCell& cell, Segmentation& segmentation) {
+    cell.first_piece = static_cast<std::uint32_t>(segmentation.pieces.size());
+    const std::uint32_t* corners = &segmentation.corners[cell.first_corner];
+    places_.clear();
+    for (std::uint32_t i = 0; i < cell.corner_count; ++i)
+        places_.push_back(
+            {place_in_original(surfaces_, cell, corners[i]), place_in_reduced(surfaces_, cell, corners[i])});
+    const std::size_t folded_before = segmentation.folded_pieces;
+    triangulation_.for_each_piece(places_, [&](std::size_t i, std::size_t j, std::size_t k) {
+        segmentation.pieces.push_back({corners[i], corners[j], corners[k]});
+        const PieceShares shares = piece_shares(places_[i], places_[j], places_[k]);
+        if (!shares.folded()) return;
+        const Mesh &original = surfaces_.original, &reduced = surfaces_.reduced;
+        ++segmentation.folded_pieces;
+        segmentation.folded_original += shares.original * area(original, original.triangles[cell.original]);
+        segmentation.folded_reduced -= shares.reduced * area(reduced, reduced.triangles[cell.reduced]);
+    });
+    if (segmentation.folded_pieces > folded_before) ++segmentation.folded_cells;
+}
+
+/// Calls `take(triangle)` for each triangle of the original; false where `progress` cancels.
+template <class Take>
+bool for_each_triangle(const MappedSurfaces& surfaces, const Progress& progress, const Take& take) {
+    Ticker ticker(progress);
+    const std::size_t triangles = surfaces.original.triangles.size();
+    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle) {
+        take(triangle);
+        if (!ticker.tick(1, triangle / static_cast<double>(triangles))) return false;
     }
-    if (folded_original > 0) segmentation.folded_original = folded_original / area(surfaces.original);
-    if (folded_reduced > 0) segmentation.folded_reduced = folded_reduced / area(surfaces.reduced);
     return true;
 }
 
@@ -127,9 +145,28 @@ glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCe
 void segment_oriented(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
     segmentation = {};
     if (surfaces.map.places.empty()) return;
-    Ticker ticker(progress);
-    if (cut_into_cells(surfaces, segmentation, ticker) && cut_into_pieces(surfaces, segmentation, ticker)) return;
-    segmentation = {};
+    Segmenter segmenter(surfaces);
+    if (!for_each_triangle(surfaces, progress, [&](std::uint32_t triangle) { segmenter.add(triangle, segmentation); }))
+        segmentation = {};
+    if (segmentation.folded_original > 0) segmentation.folded_original /= area(surfaces.original);
+    if (segmentation.folded_reduced > 0) segmentation.folded_reduced /= area(surfaces.reduced);
+}
+
+Folds count_folds(const MappedSurfaces& surfaces, const Progress& progress) {
+    if (surfaces.map.places.empty()) return {};
+    Segmenter segmenter(surfaces);
+    Segmentation here;
+    Folds folds;
+    const auto count = [&](std::uint32_t triangle) {
+        here.cells.clear();
+        here.corners.clear();
+        here.pieces.clear();
+        segmenter.add(triangle, here);
+        folds.cells += here.cells.size();
+    };
+    if (!for_each_triangle(surfaces, progress, count)) return {};
+    folds.folded_cells = here.folded_cells;
+    return folds;
 }
 
 /// The map is of the triangles as `reduce` turned them.

@@ -81,8 +81,9 @@ void Settling::choose_place(std::size_t n, const double* row, Settlement& settle
             joints_.emplace_back(products_, triangle.a, triangle.m, triangle.b);
     const double* along = products_.vertex(n);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-        const JointTriangle::Nearest nearest = joints_[i].nearest(along);
-        if (nearest.squared_distance >= rows_.variables() * error) continue;
+        const double limit = rows_.variables() * error;
+        const JointTriangle::Nearest nearest = joints_[i].nearest(along, limit);
+        if (nearest.squared_distance >= limit) continue;
         take_better({static_cast<int>(i), nearest.weight}, row, settlement, error);
     }
 }
@@ -91,7 +92,8 @@ void Settling::choose_place(std::size_t n, const double* row, Settlement& settle
 void Settling::choose_place_tightly(std::size_t n, const double* row, Settlement& settlement, double& error) {
     const double* along = products_.vertex(n);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-        if (joints_[i].nearest(along).squared_distance >= rows_.variables() * error) continue;
+        const double limit = rows_.variables() * error;
+        if (joints_[i].nearest(along, limit).squared_distance >= limit) continue;
         const NewTriangle& triangle = retriangulation_->triangles[i];
         minimax_.enter(within({rows_[hole_->ring[at(triangle.a)]], rows_[hole_->ring[at(triangle.m)]],
                                rows_[hole_->ring[at(triangle.b)]]},

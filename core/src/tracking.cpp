@@ -6,7 +6,7 @@
 namespace meshbound {
 
 Tracking::Tracking(const Rows& rows, const Surface& surface, const Options& options)
-    : rows_(&rows), measured_rows_(rows, surface.vertex_count()), surface_(surface), options_(options), map_(surface) {}
+    : rows_(&rows), measured_rows_(rows), surface_(surface), options_(options), map_(surface) {}
 
 std::unique_ptr<RemovalAccounting> Tracking::removals() {
     return std::make_unique<TrackedRemoval>(*rows_, measured_rows_, surface_, map_, options_);
@@ -15,7 +15,7 @@ std::unique_ptr<RemovalAccounting> Tracking::removals() {
 /// Places are places, whatever errors are measured in.
 void Tracking::measure_in(const Rows& rows) {
     rows_ = &rows;
-    measured_rows_ = MeasuredRows(rows, surface_.vertex_count());
+    measured_rows_ = MeasuredRows(rows);
 }
 
 void Tracking::errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const {
