@@ -35,6 +35,7 @@ std::vector<RegionReport> report_regions(const Mesh& before, const Mesh& after) 
     std::sort(labels.begin(), labels.end());
     labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
     std::vector<RegionReport> regions;
+    regions.reserve(labels.size());
     for (const std::int32_t label : labels) regions.push_back({label});
     for_each_triangle(before, regions, [](RegionReport& region, double area) {
         ++region.triangles_before;
