@@ -109,7 +109,7 @@ test('a large file that makes room for a small one leaves its memory to others',
   await watchWebAssembly(page);
   await openPage(page);
   const small = await webAssemblyBytes(page);
-  await open(page, 420);
+  await open(page, 560);
   expect(await webAssemblyBytes(page)).toBeGreaterThan(150e6);
   await open(page, 20);
   expect(await webAssemblyBytes(page)).toBeLessThanOrEqual(small);
