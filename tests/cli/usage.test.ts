@@ -53,6 +53,16 @@ const usageFaults: Case[] = [
     '3 levels, but this has bounds for 2',
   ],
   [['reduce', 'in.vtp', ...toOut, ...bound, '-b', 'pressure=1%,2%'], '“1%,2%” is not a number'],
+  [
+    ['reduce', 'in.vtp', ...toOut, '-b', '*=1%', '-b', 'position=free', '--limit-to-feature-size'],
+    '--limit-to-feature-size needs a bound of position, which is free here: --bound position=1%',
+  ],
+  [['reduce', 'in.vtp', ...toOut, '-b', '*=free', '--drop-small'], '--drop-small needs a bound of position'],
+  [['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1%', '--drop-small'], '--drop-small needs a bound of position'],
+  [
+    ['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '-b', 'position=free', '--drop-small'],
+    '--drop-small needs a bound of position',
+  ],
   [['reduce', 'in.vtp', ...toOut, '-b', '*=1%', '--lock-region', '3'], '--lock-region goes with --region NAME'],
   [['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '--map', 'm.vtp'], '--map goes with one result'],
   [
