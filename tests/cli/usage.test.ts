@@ -63,6 +63,22 @@ const usageFaults: Case[] = [
     ['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '-b', 'position=free', '--drop-small'],
     '--drop-small needs a bound of position',
   ],
+  [
+    ['reduce', 'in.vtp', ...toOut, ...bound, '--region', 'part', '--lock-region', '-3'],
+    'begins with a minus; the latter is written --lock-region=-3.',
+  ],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--lock-points', '-1'], 'is written --lock-points=-1.'],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--lock-box', '-1,-1,-1,1,1,1'], 'written --lock-box=-1,-1,-1,1,1,1.'],
+  [
+    ['reduce', 'in.vtp', '-o', '--quiet', ...bound],
+    /value of -o is missing, or begins with a minus; .* --output=--quiet\./,
+  ],
+  [
+    '--focus was given “pressure”, “heat”',
+  ],
+  [
+    '--focus was given “a”, “b”; one variable',
+  ],
   [['reduce', 'in.vtp', ...toOut, '-b', '*=1%', '--lock-region', '3'], '--lock-region goes with --region NAME'],
   [['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '--map', 'm.vtp'], '--map goes with one result'],
   [

@@ -26,10 +26,20 @@ function parse<Known extends Options>(args: string[], options: Known) {
   try {
     return parseArgs({ args, options, allowPositionals: true, strict: true });
   } catch (error) {
+    if (!(error instanceof TypeError)) throw error;
     // The first sentence says it; what follows is advice for programmers.
-    if (error instanceof TypeError) throw new UsageFault(`${error.message.split(/\.\s|\.$/)[0]}.`);
-    throw error;
+    throw new UsageFault(ambiguity(error.message, args, options) ?? `${error.message.split(/\.\s|\.$/)[0]}.`);
   }
+}
+
+/** Says how to write the value of an option that begins with a minus, where it is that what parseArgs stumbles over. */
+function ambiguity(message: string, args: string[], options: Options): string | undefined {
+  const [, given] = /^Option '(?:-\w, )?(--?[\w-]+)[^']*' argument is ambiguous/.exec(message) ?? [];
+  if (!given) return undefined;
+  const [name] = Object.entries(options).find(([, { short }]) => given === `-${short}`) ?? [given.slice(2)];
+  const names = [`--${name}`, `-${options[name]?.short}`];
+  const value = args.find((arg, i) => arg.startsWith('-') && names.includes(args[i - 1]));
+  return `The value of ${given} is missing, or begins with a minus; the latter is written --${name}=${value ?? '-…'}.`;
 }
 
 /** The value of an option that takes one of a few words. */
