@@ -60,12 +60,27 @@ test('an edge of three triangles is not manifold', () => {
     components: 1,
     nonManifoldEdges: 1,
     discordantEdges: 0,
-    nonManifoldVertices: 0,
+    nonManifoldVertices: 2,
   });
 });
 
+test('every vertex on the edge that three sheets share is not manifold, and no other is', () => {
+  const rows = 30;
+  // The first column of each sheet is the shared one: vertices 0 … rows.
+  const sheets = [0, 1, 2].flatMap((sheet) => {
+    const own = (vertex: number) => (vertex % 2 === 0 ? vertex / 2 : (sheet + 1) * (rows + 1) + (vertex - 1) / 2);
+    return grid(1, rows).map((corners) => corners.map(own) as [number, number, number]);
+  });
+  expect(topology(...sheets)).toMatchObject({ components: 1, nonManifoldEdges: rows, nonManifoldVertices: rows + 1 });
+});
+
 test('nor is an edge whose two triangles disagree about the orientation', () => {
-  expect(topology([0, 1, 2], [0, 1, 3])).toMatchObject({ boundaryLoops: 1, nonManifoldEdges: 1, discordantEdges: 1 });
+  expect(topology([0, 1, 2], [0, 1, 3])).toMatchObject({
+    boundaryLoops: 1,
+    nonManifoldEdges: 1,
+    discordantEdges: 1,
+    nonManifoldVertices: 0,
+  });
 });
 
 test('no triangles, nothing', () => {

@@ -10,7 +10,7 @@ export interface Topology {
   nonManifoldEdges: number;
   /** Of these, edges of two triangles that disagree about the orientation. */
   discordantEdges: number;
-  /** Vertices whose triangles fall apart into several fans when one goes from triangle to triangle over edges. */
+  /** Vertices whose triangles do not form one fan: they are on an edge of three or more triangles, or in several fans. */
   nonManifoldVertices: number;
 }
 
@@ -24,7 +24,7 @@ export function topologyOf(triangles: Uint32Array, vertices: number): Topology {
     boundaryLoops: boundaryLoopCount(edges, fans),
     nonManifoldEdges: edges.count((corners) => !isManifold(surface, corners)),
     discordantEdges: edges.count((corners) => corners.length === 2 && !isManifold(surface, corners)),
-    nonManifoldVertices: splitVertexCount(surface, vertices, fans),
+    nonManifoldVertices: splitVertexCount(surface, vertices, edges, fans),
   };
 }
 
@@ -137,10 +137,13 @@ function boundaryLoopCount(edges: Edges, fans: Partition): number {
   return loops.count(ends);
 }
 
-function splitVertexCount(triangles: Uint32Array, vertices: number, fans: Partition): number {
+function splitVertexCount(triangles: Uint32Array, vertices: number, edges: Edges, fans: Partition): number {
   const noFan = 0xffffffff;
   const fanAt = new Uint32Array(vertices).fill(noFan);
   const split = new Uint8Array(vertices);
+  edges.forEach((corners) => {
+    if (corners.length > 2) split[triangles[corners[0]]] = split[triangles[next(corners[0])]] = 1;
+  });
   triangles.forEach((vertex, corner) => {
     const fan = fans.root(corner);
     if (fanAt[vertex] === noFan) fanAt[vertex] = fan;
