@@ -335,6 +335,15 @@ test('points and boxes that are locked stay, and bounds are finer where a variab
   for (const place of places) expect([...locked].filter((row) => row.startsWith(`${place} `))).toHaveLength(1);
 });
 
+test('a box that meets no triangle is said to lock nothing; one that touches the surface does meet it', async () => {
+  const boxes = ['--lock-box=-9,-9,-9,-8,-8,-8', '--lock-box=-1,-1,-1,0,0,1'];
+  const { status, stderr } = await folder.run('reduce', 'engine.vtp', '-o', 'out.vtp', ...all, ...boxes);
+  expect({ status, stderr }).toEqual({
+    status: 0,
+    stderr: 'engine.vtp: --lock-box=-9,-9,-9,-8,-8,-8 meets no triangle: nothing stays because of it.\n',
+  });
+});
+
 test('a focus that the file has not is a fault', async () => {
   const outcome = await folder.run('reduce', 'engine.vtp', '-o', 'out.vtp', ...all, '--focus', 'nearness');
   expect(outcome.status).not.toBe(0);

@@ -74,9 +74,11 @@ const usageFaults: Case[] = [
     /value of -o is missing, or begins with a minus; .* --output=--quiet\./,
   ],
   [
+    ['reduce', 'in.vtp', ...toOut, ...bound, '--focus', 'pressure', '--focus', 'heat'],
     '--focus was given “pressure”, “heat”',
   ],
   [
+    ['verify', 'in.vtp', 'in.vtp', ...bound, '--focus', 'a', '--focus', 'b'],
     '--focus was given “a”, “b”; one variable',
   ],
   [['reduce', 'in.vtp', ...toOut, '-b', '*=1%', '--lock-region', '3'], '--lock-region goes with --region NAME'],

@@ -51,6 +51,12 @@ export function parseBox(text: string): Box {
   }
 }
 
+/** The one variable that multiplies the bounds, if any. Throws a UsageFault for several. */
+export function parseFocus(names: string[]): string | undefined {
+  if (names.length > 1) throw new UsageFault(`--focus was given ${listed(names)}; one variable multiplies the bounds.`);
+  return names.at(0);
+}
+
 /** Throws a Fault for a focus that the surface has not. */
 export function requireFocus(
   { focus }: Keeping,

@@ -2,7 +2,7 @@ import type { ReportOptions } from '../session/report-json.ts';
 import { oneOf, parseArguments } from './arguments.ts';
 import { type Bounds, boundOf, parseBounds } from './bound-arguments.ts';
 import { UsageFault } from './fault.ts';
-import { type Keeping, parseBox, parseLabel, parsePoints } from './keeping-arguments.ts';
+import { type Keeping, parseBox, parseFocus, parseLabel, parsePoints } from './keeping-arguments.ts';
 import { levelPaths, parseLevels } from './level-arguments.ts';
 import { outputFormat } from './surface-files.ts';
 
@@ -62,7 +62,7 @@ const signature = {
     region: { type: 'string' },
     'refuse-piercing': { type: 'boolean', default: false },
     'limit-to-feature-size': { type: 'boolean', default: false },
-    focus: { type: 'string' },
+    focus: { type: 'string', multiple: true, default: [] as string[] },
     'drop-small': { type: 'boolean', default: false },
     'lock-points': { type: 'string', multiple: true, default: [] as string[] },
     'lock-region': { type: 'string', multiple: true, default: [] as string[] },
@@ -124,7 +124,7 @@ export function parseRequest(args: string[]): Request {
   for (const path of [values.output, values.map]) if (path) outputFormat(path);
   const keeping = {
     region: values.region,
-    focus: values.focus,
+    focus: parseFocus(values.focus),
     dropSmallParts: values['drop-small'],
     points: Uint32Array.from(values['lock-points'].flatMap(parsePoints)),
     lockedRegions: Int32Array.from(values['lock-region'].map(parseLabel)),

@@ -26,6 +26,7 @@ import { help, parseRequest, type Request } from './reduce-arguments.ts';
 import { freeNotes, reportText } from './report.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
+import { unmetBoxNotes } from './unmet-boxes.ts';
 import { type FileNotes, writeLevelFiles } from './write-level-files.ts';
 
 async function openInput({ input, variables: csv, exclude, options, keeping, map }: Request): Promise<OpenedSurface> {
@@ -145,6 +146,7 @@ async function run(args: string[]): Promise<number> {
       ...oddityNotes(oddities),
       ...droppedNotes(dropped),
       ...featureNotes(featureSize),
+      ...unmetBoxNotes(surface.mesh, options.lockBoxes),
       ...free,
     ]);
     for (const [path, losses] of outcome.notes) sayNotes(path, losses);

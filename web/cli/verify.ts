@@ -7,6 +7,7 @@ import type { Command } from './command.ts';
 import { comparable, multipliersOf } from './comparable.ts';
 import { exitStatus } from './exit-status.ts';
 import { faultOf, UsageFault } from './fault.ts';
+import { parseFocus } from './keeping-arguments.ts';
 import { sayNotes } from './notes.ts';
 import { freeNotes } from './report.ts';
 import { openSurface } from './surface-files.ts';
@@ -41,7 +42,7 @@ const signature = {
   options: {
     bound: { type: 'string', short: 'b', multiple: true, default: [] as string[] },
     variables: { type: 'string' },
-    focus: { type: 'string' },
+    focus: { type: 'string', multiple: true, default: [] as string[] },
     samples: { type: 'string', default: '50000' },
     json: { type: 'boolean', default: false },
     quiet: { type: 'boolean', default: false },
@@ -76,12 +77,13 @@ async function run(args: string[]): Promise<number> {
   const { values, positionals } = parseArguments(args, signature);
   const bounds = parseBounds(values.bound);
   const samples = parseSamples(values.samples);
+  const focus = parseFocus(values.focus);
   const original = await openSurface(positionals[0], values.variables);
   const reduced = await openSurface(positionals[1]);
   const { names, limits, one, other } = comparable(original, reduced, bounds);
-  const multipliers = values.focus === undefined ? [] : multipliersOf(original, values.focus);
+  const multipliers = focus === undefined ? [] : multipliersOf(original, focus);
   const verdict = await judged(one, other, limits, samples, multipliers, reduced.path);
-  const findings = findingsOf(verdict, names, limits, values.focus);
+  const findings = findingsOf(verdict, names, limits, focus);
   const within = findings.ratio <= 1 + judgeAccuracy;
   if (values.json) {
     const found = { original: original.path, reduced: reduced.path, ...findings, within };
