@@ -71,6 +71,7 @@ test('what attributes say, properties say too, and the view shows', async ({ pag
 
 /** Attributes of what is kept, and what they make of the reduction. */
 const keptAttributes: [attribute: string, property: string, value: string, says: RegExp][] = [
+  ['lock-points', 'lockPoints', '3,100-900', /proved/],
   ['lock-box', 'lockBox', '0,-30,-30,30,30,30', /proved/],
   ['focus-variable', 'focusVariable', 'temperature', /times the multiplier there: proved/],
   ['focus-point', 'focusPoint', '0,0,0,20,0.2', /times the multiplier there: proved/],
@@ -110,6 +111,8 @@ test('what cannot be kept is said, and what was shown stays', async ({ page }) =
     Object.assign(window, { codes });
   });
   for (const [attribute, value, says] of [
+    ['lock-points', '3,x', /lock-points cannot be “3,x”: “x” is no point and no range of points/],
+    ['lock-points', '0-4294967294', /There is no point 4294967294 to lock: the surface has \d+, counted from 0/],
     ['lock-box', '1,2,3', /lock-box cannot be “1,2,3”: a box has six numbers/],
     ['focus-point', '0,0,0,1,7', /factor of a focus must be above zero and at most 1/],
     ['lock-regions', 'all', /“all” is not the number of a region/],

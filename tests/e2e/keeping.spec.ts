@@ -171,6 +171,67 @@ test('by keys alone, a box goes to the place that is pinned', async () => {
   await expect.poll(async () => Number(await from.inputValue())).toBeGreaterThan(before);
 });
 
+test('points that are locked stay, and what cannot be one is said', async () => {
+  const { after } = await counts(page());
+  const keptOf = async () => {
+    const kept = new Set(placesOf((await savedMesh()).mesh).map(String));
+    return placesOf(original).map((place) => kept.has(String(place)));
+  };
+  const free = await keptOf();
+  const first = free.findIndex((_, vertex) => vertex > 500 && ![0, 1, 2].some((next) => free[vertex + next]));
+  const alone = free.indexOf(false);
+  const locked = [alone, first, first + 1, first + 2];
+  expect(locked.map((vertex) => free[vertex])).toEqual([false, false, false, false]);
+  const field = page().getByLabel('Points', { exact: true });
+  const summary = group('Locks and regions').locator('summary');
+  await type('Points', `${alone}, ${first}-${first + 2}`);
+  await expect(summary).toContainText('points');
+  await expect(field).toHaveValue(`${alone},${first}-${first + 2}`);
+  const kept = await keptOf();
+  expect(locked.map((vertex) => kept[vertex])).toEqual([true, true, true, true]);
+  expect(kept.filter(Boolean).length).toBeLessThan(kept.length / 2);
+  const report = JSON.parse(new TextDecoder().decode((await saved(page(), 'report')).bytes));
+  expect(report.options.lockPoints).toEqual([`${alone},${first}-${first + 2}`]);
+
+  for (const [text, says] of [
+    ['3,x', '“x” is no point and no range of points.'],
+    ['0-1685', 'There is no point 1685 to lock: the surface has 1685, counted from 0.'],
+  ]) {
+    await type('Points', text);
+    await expect(group('Locks and regions').getByRole('alert')).toHaveText(says);
+    await expect(field).toHaveAttribute('aria-invalid', 'true');
+    await expect(field).toHaveValue(text);
+    expect(await keptOf()).toEqual(kept);
+  }
+  await type('Points', '');
+  await expect(group('Locks and regions').getByRole('alert')).toHaveCount(0);
+  await expect(summary).toContainText('none');
+  await expect.poll(async () => (await counts(page())).after).toBe(after);
+});
+
+test('the point nearest to the pinned place is added to those that are locked', async () => {
+  const add = page().getByRole('button', { name: 'Add the pinned point' });
+  await expect(add).toBeDisabled();
+  await type('Points', '3');
+  const surface = page().locator('#original');
+  await surface.focus();
+  await surface.press('Enter');
+  await add.click();
+  const position = await page().evaluate(() => {
+    const app = document.querySelector('meshbound-app')?.shadowRoot;
+    return app?.querySelector<MeshboundViewer>('meshbound-viewer')?.probe?.original?.position ?? [];
+  });
+  const awayFrom = (place: number[]) => Math.hypot(...place.map((at, axis) => at - position[axis]));
+  const away = placesOf(original).map(awayFrom);
+  const nearest = away.indexOf(Math.min(...away));
+  await expect(page().getByLabel('Points', { exact: true })).toHaveValue(`3,${nearest}`);
+  await add.click();
+  await expect(page().getByLabel('Points', { exact: true })).toHaveValue(`3,${nearest}`);
+  const places = placesOf((await savedMesh()).mesh).map(String);
+  expect(places).toContain(String(placesOf(original)[nearest]));
+  await page().keyboard.press('Escape');
+});
+
 test('regions keep their borders and labels, and those that are locked stay', async () => {
   const [free, without] = [(await counts(page())).after, await pictureOf(page(), 'original')];
   await page().getByLabel('Regions from').selectOption('material');
@@ -303,24 +364,25 @@ test('the address holds what is kept, and leads to the same result', async ({ br
   await page().getByLabel('Sample').selectOption('fireballs');
   await settled(page());
   await tick('Lock what meets a box').check();
+  await type('Points', '3,17-20');
   await tick('Finer near a place').check();
   await page().getByLabel('Multiply by').selectOption('temperature');
   await tick('Drop parts smaller than the bound').check();
   await settled(page());
   await expect
     .poll(() => page().url())
-    .toMatch(/&?drop-small-parts=&lock-box=.*&focus-variable=temperature&focus-point=/);
+    .toMatch(/&?drop-small-parts=&lock-points=3%2C17-20&lock-box=.*&focus-variable=temperature&focus-point=/);
   const result = await sentence(page()).innerText();
   const other = await browser.newPage();
   await other.goto(page().url());
   await expect(sentence(other)).toHaveText(result, { timeout: 30_000 });
-  for (const summary of ['a box', '× temperature, × 0.1 near a place', 'small parts dropped']) {
+  for (const summary of ['points, a box', '× temperature, × 0.1 near a place', 'small parts dropped']) {
     await expect(other.locator('summary', { hasText: summary })).toBeVisible();
   }
   await other.close();
   await page().getByLabel('Sample').selectOption('impact');
   await settled(page());
-  await expect.poll(() => page().url()).not.toMatch(/lock-box|focus/);
+  await expect.poll(() => page().url()).not.toMatch(/lock-|focus/);
 });
 
 for (const colorScheme of ['light', 'dark'] as const) {

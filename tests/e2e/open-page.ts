@@ -79,7 +79,8 @@ export async function chooseFile(page: Page, name: string, content: Buffer): Pro
 export async function saved(shown: Page, format: string): Promise<{ name: string; bytes: Uint8Array }> {
   const started = shown.waitForEvent('download');
   await shown.getByRole('button', { name: 'Save…' }).click();
-  await shown.getByRole('button', { name: format === 'map' ? 'Map (VTP)' : format.toUpperCase(), exact: true }).click();
+  const name = { map: 'Map (VTP)', report: 'Report (JSON)' }[format] ?? format.toUpperCase();
+  await shown.getByRole('button', { name, exact: true }).click();
   const download = await started;
   return { name: download.suggestedFilename(), bytes: new Uint8Array(await readFile(await download.path())) };
 }

@@ -60,6 +60,10 @@ async function reduced(keeping: Partial<Keeping>) {
 
 describe('attributes', () => {
   const keeping: Keeping = {
+    lockPoints: [
+      [3, 3],
+      [20, 40],
+    ],
     lockBox: { lowest: [0, -1, 2e-3], highest: [1, 1, 3] },
     regions: 'part, "two"',
     lockRegions: [4, -7],
@@ -72,7 +76,20 @@ describe('attributes', () => {
     expect(keepingFrom(keepingText(nothingKept))).toEqual(nothingKept);
   });
 
+  test('say points as the command line does', () => {
+    const lockPoints = '3,17,20-40';
+    expect(keepingText(keepingFrom({ ...keepingText(nothingKept), lockPoints: ' 3, 17,20-40' }))).toMatchObject({
+      lockPoints,
+    });
+  });
+
   test.each([
+    ['lockPoints', '3,x', 'lock-points cannot be “3,x”: “x” is no point and no range of points.'],
+    ['lockPoints', '9-3', '“9-3” is no point'],
+    ['lockPoints', '3,', '“” is no point'],
+    ['lockPoints', '-1', '“-1” is no point'],
+    ['lockPoints', '1.5', '“1.5” is no point'],
+    ['lockPoints', '0-4294967295', '“0-4294967295” is no point'],
     ['lockBox', '0,0,0,1,1', 'lock-box cannot be “0,0,0,1,1”: a box has six numbers'],
     ['lockBox', '1,0,0,0,1,1', 'lock-box cannot be'],
     ['lockRegions', '1,x', 'lock-regions cannot be “1,x”: “x” is not the number of a region'],
@@ -90,6 +107,27 @@ describe('attributes', () => {
 describe('what the core is told', () => {
   test('is the surface itself where nothing is kept', () => {
     expect(asked({}).mesh).toBe(surface.mesh);
+  });
+
+  test('locks points beside those that the surface itself needs', () => {
+    const { options } = taskOf({ ...surface, locked: Uint32Array.of(7) }, firstMethod, {
+      ...nothingKept,
+      lockPoints: [
+        [3, 3],
+        [20, 22],
+      ],
+    });
+    expect(options.locked).toEqual(Uint32Array.of(7, 3, 20, 21, 22));
+  });
+
+  test.each([side * side, 2 ** 32 - 2])('has no point %d that the surface has not', (last) => {
+    expect(asked({ lockPoints: [[0, side * side - 1]] }).options.locked).toHaveLength(side * side);
+    expect(() => asked({ lockPoints: [[3, last]] })).toThrow(
+      expect.objectContaining({
+        code: 'bad_option',
+        message: `There is no point ${last} to lock: the surface has ${side * side}, counted from 0.`,
+      }),
+    );
   });
 
   test('parts the surface into regions, whose borders stay in place', async () => {

@@ -3,6 +3,7 @@ import { regionNotes } from '../formats/region-notes.ts';
 import { listed, quoted } from '../formats/wording.ts';
 import { readBox } from '../session/box-text.ts';
 import { messageOf } from '../session/failure.ts';
+import { readPoints, writtenOut } from '../session/point-list.ts';
 import { Fault, UsageFault } from './fault.ts';
 import type { OpenedSurface } from './surface-files.ts';
 
@@ -18,21 +19,13 @@ export interface Keeping {
   lockedBoxes: Box[];
 }
 
-/** More points than any mesh has; a list that names more is a mistake in writing. */
-const mostPoints = 2 ** 32 - 2;
-
 /** The points of a list, `3,17,20-40`. Throws a UsageFault. */
 export function parsePoints(list: string): number[] {
-  return list.split(',').flatMap((entry) => {
-    const [, from, to = from] = /^\s*(\d+)(?:-(\d+))?\s*$/.exec(entry) ?? [];
-    const [first, last] = [Number(from), Number(to)];
-    if (from === undefined || last < first || last > mostPoints) {
-      throw new UsageFault(
-        `--lock-points ${quoted(list)} cannot be: ${quoted(entry)} is no point and no range of points.`,
-      );
-    }
-    return Array.from({ length: last - first + 1 }, (_, i) => first + i);
-  });
+  try {
+    return readPoints(list).flatMap(writtenOut);
+  } catch (error) {
+    throw new UsageFault(`--lock-points ${quoted(list)} cannot be: ${messageOf(error)}`);
+  }
 }
 
 /** The number of a region. Throws a UsageFault. */

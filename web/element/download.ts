@@ -5,6 +5,7 @@ import type { Format } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import { lossesOf, writeLevels, writeSurface } from '../formats/write.ts';
 import { asBounds } from '../session/bound-setting.ts';
+import { pointsText } from '../session/point-list.ts';
 import { reportJson } from '../session/report-json.ts';
 import type { OpenSurface, Reduced } from '../session/session.ts';
 import { english } from '../words/english.ts';
@@ -46,7 +47,8 @@ export async function savedFile(
 function reportOf({ result, bounds, method, keeping }: Reduced): string {
   const cost = method.cost === 'maximum' ? 'max' : 'introduced';
   const { regions: region, lockBox, lockRegions, focus, focusPoint } = keeping;
-  const kept = { region, lockRegions, lockBoxes: lockBox ? [lockBox] : [], lockPoints: [], focus, focusPoint };
+  const lockPoints = keeping.lockPoints.length > 0 ? [pointsText(keeping.lockPoints)] : [];
+  const kept = { region, lockRegions, lockBoxes: lockBox ? [lockBox] : [], lockPoints, focus, focusPoint };
   return reportJson(result.report, { ...method, ...kept, bounds: asBounds(bounds), cost });
 }
 

@@ -2,10 +2,12 @@ import { boxText, readBox } from '../session/box-text.ts';
 import { messageOf } from '../session/failure.ts';
 import { focusPointText, readFocusPoint } from '../session/focus-point.ts';
 import { type Keeping, readLabels } from '../session/keeping.ts';
+import { pointsText, readPoints } from '../session/point-list.ts';
 import { english } from '../words/english.ts';
 
 /** What of a surface is to be kept, as attributes say it; null and empty text say nothing. */
 export interface WantedKeeping {
+  lockPoints: string | null;
   lockBox: string | null;
   regions: string | null;
   lockRegions: string | null;
@@ -13,11 +15,19 @@ export interface WantedKeeping {
   focusPoint: string | null;
 }
 
-export const keepingAttributes = ['lockBox', 'regions', 'lockRegions', 'focusVariable', 'focusPoint'] as const;
+export const keepingAttributes = [
+  'lockPoints',
+  'lockBox',
+  'regions',
+  'lockRegions',
+  'focusVariable',
+  'focusPoint',
+] as const;
 
 /** Throws an Error that says which attribute cannot be understood. */
 export function keepingFrom(wanted: WantedKeeping): Keeping {
   return {
+    lockPoints: read('lock-points', wanted.lockPoints, readPoints) ?? [],
     lockBox: read('lock-box', wanted.lockBox, readBox),
     regions: wanted.regions || null,
     lockRegions: read('lock-regions', wanted.lockRegions, readLabels) ?? [],
@@ -36,8 +46,9 @@ function read<Value>(name: string, text: string | null, reader: (text: string) =
 }
 
 /** The attributes that `keepingFrom` reads as this. */
-export function keepingText({ lockBox, regions, lockRegions, focus, focusPoint }: Keeping): WantedKeeping {
+export function keepingText({ lockPoints, lockBox, regions, lockRegions, focus, focusPoint }: Keeping): WantedKeeping {
   return {
+    lockPoints: pointsText(lockPoints) || null,
     lockBox: lockBox && boxText(lockBox),
     regions,
     lockRegions: lockRegions.join(',') || null,

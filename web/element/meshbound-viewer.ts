@@ -112,6 +112,7 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
     refusePiercing: { attribute: 'refuse-piercing', type: Boolean },
     limitToFeatureSize: { attribute: 'limit-to-feature-size', type: Boolean },
     dropSmallParts: { attribute: 'drop-small-parts', type: Boolean },
+    lockPoints: { attribute: 'lock-points' },
     lockBox: { attribute: 'lock-box' },
     regions: {},
     lockRegions: { attribute: 'lock-regions' },
@@ -166,6 +167,12 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
    * @attr drop-small-parts
    */
   declare dropSmallParts: boolean;
+  /**
+   * Points that stay as they are, by their numbers in the surface as it is read, counted from 0: `3,17,20-40`.
+   *
+   * @attr lock-points
+   */
+  declare lockPoints: string | null;
   /**
    * A box whose inside stays as it is, in the unit of position: the lowest and the highest place along the axes,
    * `0,0,0,1,1,1`. Every triangle that meets it stays.
@@ -271,6 +278,7 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
     this.refusePiercing = false;
     this.limitToFeatureSize = false;
     this.dropSmallParts = false;
+    this.lockPoints = null;
     this.lockBox = null;
     this.regions = null;
     this.lockRegions = null;

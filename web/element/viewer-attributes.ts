@@ -9,6 +9,7 @@ const properties = {
   'refuse-piercing': 'refusePiercing',
   'limit-to-feature-size': 'limitToFeatureSize',
   'drop-small-parts': 'dropSmallParts',
+  'lock-points': 'lockPoints',
   'lock-box': 'lockBox',
   'lock-regions': 'lockRegions',
   'focus-variable': 'focusVariable',

@@ -12,6 +12,7 @@ export const stateAttributes = [
   'refuse-piercing',
   'limit-to-feature-size',
   'drop-small-parts',
+  'lock-points',
   'lock-box',
   'regions',
   'lock-regions',

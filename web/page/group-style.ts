@@ -36,7 +36,8 @@ export const groupStyle = css`
     align-items: center;
     margin-top: 6px;
   }
-  input[type='number'] {
+  input[type='number'],
+  input[type='text'] {
     width: 100%;
     min-width: 0;
     min-height: 28px;

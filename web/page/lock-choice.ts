@@ -1,14 +1,18 @@
-import { css, html, LitElement, nothing } from 'lit';
+import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { Box } from '../../wasm/types.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import { countText } from '../element/number-text.ts';
+import { messageOf } from '../session/failure.ts';
 import { type Keeping, nothingKept } from '../session/keeping.ts';
+import { type PointRange, pointsOf, pointsText, readPoints } from '../session/point-list.ts';
 import type { OpenSurface } from '../session/session.ts';
 import { type ComponentSpan, spanOf } from '../surface/value-span.ts';
 import { english } from '../words/english.ts';
 import { pageEnglish } from '../words/page-english.ts';
 import { choice, tick } from './group-controls.ts';
 import { groupStyle } from './group-style.ts';
+import { nearestVertex } from './nearest-vertex.ts';
 import { numberInput } from './number-input.ts';
 import { placeInSight, proposed } from './proposed-place.ts';
 
@@ -26,6 +30,7 @@ export class LockChoice extends LitElement {
     surface: { attribute: false },
     keeping: { attribute: false },
     pinned: { attribute: false },
+    refused: { state: true },
   };
 
   static override styles = [
@@ -46,6 +51,12 @@ export class LockChoice extends LitElement {
       legend {
         padding: 0 4px;
       }
+      label > input[type='text'] {
+        width: 198px;
+      }
+      .fault {
+        color: var(--fault);
+      }
     `,
   ];
 
@@ -53,6 +64,8 @@ export class LockChoice extends LitElement {
   declare keeping: Keeping;
   /** The place on the original that is pinned. */
   declare pinned: readonly number[] | null;
+  /** What was typed as points and cannot be. @internal */
+  declare refused: { text: string; why: string } | null;
 
   #span: { of: OpenSurface; along: ComponentSpan[] } | null = null;
   #counted: { of: Int32Array; labels: [label: number, triangles: number][] } | null = null;
@@ -62,20 +75,51 @@ export class LockChoice extends LitElement {
     this.surface = null;
     this.keeping = nothingKept;
     this.pinned = null;
+    this.refused = null;
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('keeping') || changed.has('surface')) this.refused = null;
   }
 
   override render() {
-    const { lockBox, regions, lockRegions } = this.keeping;
+    const { lockPoints, lockBox, regions, lockRegions } = this.keeping;
     return html`<details @toggle=${() => this.scrollIntoView({ block: 'nearest' })}>
       <summary>
         ${pageEnglish.locks.title}
-        <span class="small soft">${pageEnglish.locks.now(lockBox !== null, lockRegions.length, regions)}</span>
+        <span class="small soft">${pageEnglish.locks.now(lockPoints.length > 0, lockBox !== null, lockRegions.length, regions)}</span>
       </summary>
+      ${this.#points(lockPoints)}
       ${tick(pageEnglish.locks.box, lockBox !== null, (wanted) => this.#change({ lockBox: wanted ? this.#proposedBox() : null }))}
       ${lockBox ? this.#box(lockBox) : nothing}
       <p class="small soft">${pageEnglish.locks.boxMeans}</p>
       ${this.#regions()}
     </details>`;
+  }
+
+  #points(ranges: readonly PointRange[]) {
+    const { refused } = this;
+    return html`<label>
+        <span>${pageEnglish.locks.points}</span>
+        <input
+          type="text"
+          autocomplete="off"
+          spellcheck="false"
+          aria-describedby="points-mean"
+          aria-invalid=${refused !== null}
+          .value=${live(refused?.text ?? pointsText(ranges))}
+          @change=${({ target }: Event) => this.#lockPoints((target as HTMLInputElement).value)}
+        />
+      </label>
+      ${refused ? html`<p class="small fault" role="alert">${refused.why}</p>` : nothing}
+      <p class="small soft" id="points-mean">${pageEnglish.locks.pointsMean}</p>
+      <button
+        ?disabled=${!this.pinned}
+        title=${this.pinned ? pageEnglish.locks.addPinMeans : pageEnglish.pin.hint}
+        @click=${() => this.#addPin(ranges)}
+      >
+        ${pageEnglish.locks.addPin}
+      </button>`;
   }
 
   #box(box: Box) {
@@ -132,6 +176,26 @@ export class LockChoice extends LitElement {
       this.#counted = { of, labels: [...counts].sort(([a], [b]) => a - b) };
     }
     return this.#counted.labels;
+  }
+
+  #lockPoints(text: string): void {
+    try {
+      const lockPoints = text.trim() === '' ? [] : readPoints(text);
+      if (this.surface) pointsOf(lockPoints, this.surface.mesh.position.length / 3);
+      this.refused = null;
+      this.#change({ lockPoints });
+    } catch (error) {
+      this.refused = { text, why: messageOf(error) };
+    }
+  }
+
+  #addPin(ranges: readonly PointRange[]): void {
+    const { surface, pinned } = this;
+    if (!surface || !pinned) return;
+    const vertex = nearestVertex(surface.mesh, pinned);
+    const isLocked = ranges.some(([first, last]) => first <= vertex && vertex <= last);
+    this.refused = null;
+    if (!isLocked) this.#change({ lockPoints: [...ranges, [vertex, vertex]] });
   }
 
   #lockRegion(label: number, wanted: boolean): void {

@@ -1,8 +1,11 @@
 import type { Box } from '../../wasm/types.ts';
 import type { FocusPoint } from './focus-point.ts';
+import type { PointRange } from './point-list.ts';
 
 /** What of a surface must stay as it is, what parts it into regions, and where its bounds are others. */
 export interface Keeping {
+  /** Vertices that must stay. */
+  lockPoints: readonly PointRange[];
   /** Every triangle that meets it must stay. */
   lockBox: Box | null;
   /** The cell data whose values part the surface into regions: their borders are kept within the bounds. */
@@ -16,6 +19,7 @@ export interface Keeping {
 }
 
 export const nothingKept: Keeping = {
+  lockPoints: [],
   lockBox: null,
   regions: null,
   lockRegions: [],

@@ -4,6 +4,7 @@ import type { Multiplied } from '../probe/multiplied.ts';
 import { multiplierNear } from '../surface/nearness.ts';
 import type { Keeping } from './keeping.ts';
 import type { Method } from './method.ts';
+import { pointsOf } from './point-list.ts';
 import type { OpenSurface } from './session.ts';
 
 /** What the core is given but for bounds, and what it takes to understand its answer. */
@@ -21,11 +22,17 @@ export function taskOf(surface: OpenSurface, method: Method, keeping: Keeping): 
   const { lockBox, lockRegions } = keeping;
   const options = {
     ...method,
-    locked: surface.locked,
+    locked: withPoints(surface, keeping),
     lockedBoxes: lockBox ? [lockBox] : [],
     lockedRegions: Int32Array.from(lockRegions),
   };
   return withFocus(withRegions(surface, keeping), options, keeping);
+}
+
+/** What the surface itself needs to stay, and what is asked for. */
+function withPoints({ locked = new Uint32Array(), mesh }: OpenSurface, { lockPoints }: Keeping): Uint32Array {
+  if (lockPoints.length === 0) return locked;
+  return Uint32Array.from([...locked, ...pointsOf(lockPoints, mesh.position.length / 3)]);
 }
 
 function withRegions({ mesh, regions }: OpenSurface, { regions: name }: Keeping): Mesh {

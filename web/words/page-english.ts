@@ -120,8 +120,9 @@ export const pageEnglish = {
 
   locks: {
     title: 'Locks and regions',
-    now: (box: boolean, regions: number, of: string | null) =>
+    now: (points: boolean, box: boolean, regions: number, of: string | null) =>
       [
+        points ? 'points' : '',
         box ? 'a box' : '',
         regions > 0
           ? `${regions} ${regions === 1 ? 'region' : 'regions'} of ${of}`
@@ -131,6 +132,10 @@ export const pageEnglish = {
       ]
         .filter(Boolean)
         .join(', ') || 'none',
+    points: 'Points',
+    pointsMean: 'Points that stay, by their numbers in the surface, counted from 0: 3,17,20-40.',
+    addPin: 'Add the pinned point',
+    addPinMeans: 'The point of the original that is nearest to the pinned place.',
     box: 'Lock what meets a box',
     boxMeans: 'Every triangle that meets the box stays as it is. The box is drawn on the original.',
     lowest: 'from',
