@@ -73,6 +73,10 @@ test('the report has an entry of the usual shape for each level', async () => {
     expect(Object.keys(level)).toEqual([
       'file',
       'triangles',
+      'orientation',
+      'nonManifoldVertices',
+      'seams',
+      'map',
       'turnedAway',
       'dropped',
       'featureSize',

@@ -66,6 +66,10 @@ test('the report has the documented shape', async () => {
   const number = expect.any(Number);
   expect(report).toEqual({
     triangles: { before: 512, after: (await folder.read('out.vtp')).mesh.triangles.length / 3 },
+    orientation: { turnedTriangles: 0, unorientableParts: 0 },
+    nonManifoldVertices: 0,
+    seams: { points: 0, touching: 0 },
+    map: { cells: number, foldedCells: number },
     turnedAway: { before: number, after: number },
     dropped: { parts: 0, triangles: 0 },
     featureSize: null,
@@ -284,7 +288,9 @@ test.each(['glb', 'obj', 'vtp'])(
     const { whole, sides } = plateWithSeam();
     await folder.save(`seam.${format}`, whole);
     const bounds = ['-b', 'position=0.05', '-b', 'uv=0.1'];
-    const outcome = await folder.run('reduce', `seam.${format}`, '-o', `less.${format}`, ...bounds);
+    const files = [`seam.${format}`, '-o', `less.${format}`, '--report', 'seam.json'];
+    const outcome = await folder.run('reduce', ...files, ...bounds);
+    expect(JSON.parse(folder.text('seam.json')).seams).toEqual({ points: 34, touching: 0 });
     expect(outcome.stderr).toContain('34 points on seams, where several lie in one place, will be reduced together.');
     expect(outcome.status).toBe(0);
     const { mesh } = await folder.read(`less.${format}`);
@@ -306,11 +312,54 @@ test('what is written for people puts neither a bound nor an error below what it
   const report = {
     triangles: { before: 9, after: 3 },
     variables: [{ ...reached, bound: 2437.401, error: 2437.4, ratio: 0.9999996 }],
+    turnedAway: { before: 0, after: 0 },
+    cells: 40,
+    foldedCells: 0,
     regions: [],
     seconds: 1,
   } as unknown as Report;
   const text = reportText(report, { bounds: { p: { relative: 0.03 } } });
   expect(text).toMatch(/p +2438 +3 % +2438 +1$/);
+});
+
+test('the summary tells of triangles that turn away and of folds of the map where there are any', () => {
+  const counts = { triangles: { before: 9, after: 3 }, variables: [], regions: [], seconds: 1, cells: 4000 };
+  const text = (turnedAway: Report['turnedAway'], foldedCells: number) =>
+    reportText({ ...counts, turnedAway, foldedCells } as unknown as Report, { bounds: {} });
+  expect(text({ before: 0, after: 0 }, 0)).not.toMatch(/turned|folded/);
+  expect(text({ before: 2, after: 0 }, 0)).toMatch(/turned more than .*: 2 -> 0 triangles$/m);
+  expect(text({ before: 0, after: 1 }, 0)).toMatch(/turned more than .*: 0 -> 1 triangle$/m);
+  expect(text({ before: 0, after: 0 }, 7)).toMatch(/^folded by the map: 7 of 4 000 cells$/m);
+});
+
+test('the report counts what is not manifold, what was turned and parts without two sides, and folds where there is a map', async () => {
+  const sheets = [0, 1, 2].flatMap((sheet) => [0, 1, 5 + sheet]); // all on the edge from 0 to 1
+  const places = Array.from({ length: 10 }, (_, i) => 2 * Math.PI * (i / 10));
+  const band = places.flatMap((angle) =>
+    [-0.3, 0.3].flatMap((across) => {
+      const radius = 1 + across * Math.cos(angle / 2);
+      return [5 + radius * Math.cos(angle), radius * Math.sin(angle), across * Math.sin(angle / 2)];
+    }),
+  );
+  const first = 8; // of the band, whose end is joined to its beginning the other way round
+  const at = (column: number, side: number) => first + 2 * (column % 10) + (column < 10 ? side : 1 - side);
+  const strip = places.flatMap((_, i) => [
+    ...[at(i, 0), at(i + 1, 0), at(i, 1)],
+    ...[at(i, 1), at(i + 1, 0), at(i + 1, 1)],
+  ]);
+  const edge = [0, 0, 0, 0, 0, 1, 0, 2, 0, 1, 2, 0, 0, 2, 1, 1, 0, 0.5, -1, 1, 0.5, -1, -1, 0.5];
+  const triangles = Uint32Array.from([...sheets, 2, 3, 4, ...strip]);
+  await folder.save('odd.ply', { position: Float64Array.from([...edge, ...band]), triangles, variables: [] });
+  const reportOf = async (...args: string[]) => {
+    const files = ['odd.ply', '-o', 'out.ply', '--report', 'odd.json'];
+    expect(await folder.run('reduce', ...files, '-b', 'position=1%', ...args)).toMatchObject({ status: 0 });
+    return JSON.parse(folder.text('odd.json'));
+  };
+  const tracked = await reportOf();
+  expect(tracked.orientation.unorientableParts).toBe(1);
+  expect(tracked.nonManifoldVertices).toBeGreaterThanOrEqual(2);
+  expect(tracked.map.cells).toBeGreaterThan(0);
+  expect(await reportOf('--errors', 'propagated')).toMatchObject({ orientation: tracked.orientation, map: null });
 });
 
 test('points and boxes that are locked stay, and bounds are finer where a variable is small', async () => {
@@ -365,8 +414,10 @@ test('parts smaller than the bound go when asked for, and triangles that face th
     triangles: Uint32Array.from([...turned, points, points + 1, points + 2]),
     variables: variables.map(more),
   });
-  const run = (...args: string[]) => folder.run('reduce', 'crumb.vtp', '-o', 'out.vtp', ...all, ...args);
+  const files = ['crumb.vtp', '-o', 'out.vtp', '--report', 'crumb.json'];
+  const run = (...args: string[]) => folder.run('reduce', ...files, ...all, ...args);
   const kept = await run();
+  expect(JSON.parse(folder.text('crumb.json')).orientation).toEqual({ turnedTriangles: 1, unorientableParts: 0 });
   expect(kept.stderr).toContain('1 triangle faces the other side than most around them: turned round.');
   expect(kept.stderr).not.toContain('left out');
   expect((await run('--drop-small')).stderr).toContain(

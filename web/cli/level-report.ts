@@ -1,9 +1,10 @@
 import type { Report } from '../../wasm/index.ts';
 import { counted, grouped } from '../formats/wording.ts';
-import { type ReportOptions, reportJson } from '../session/report-json.ts';
+import { type ReportOptions, reportJson, type Seams } from '../session/report-json.ts';
 import type { Bounds } from './bound-arguments.ts';
 import { regionLines } from './region-text.ts';
 import { numberText, roundedUpText, textTable } from './text-table.ts';
+import { turnLines } from './turn-text.ts';
 
 /** A level with the file that holds it. */
 export interface LevelReport {
@@ -13,10 +14,10 @@ export interface LevelReport {
 }
 
 /** What `--report` writes of levels: for each what it writes of one, and its file; documented in docs/command-line.md. */
-export function levelsJson(levels: LevelReport[], options: ReportOptions): string {
+export function levelsJson(levels: LevelReport[], options: ReportOptions, seams: Seams): string {
   const entries = levels.map(({ file, bounds, report }) => ({
     file,
-    ...JSON.parse(reportJson(report, { ...options, bounds })),
+    ...JSON.parse(reportJson(report, { ...options, bounds }, seams)),
   }));
   return `${JSON.stringify({ levels: entries }, undefined, 2)}\n`;
 }
@@ -39,6 +40,7 @@ export function levelsText(levels: LevelReport[]): string {
   return [
     `${counted(before, 'triangle')} -> ${counted(levels.length, 'level')} in ${first.seconds.toFixed(2)} s`,
     textTable([['level', 'triangles', 'removed', 'position error', 'most of a bound used'], ...rows]),
+    ...levels.flatMap(({ report }, i) => turnLines(report).map((line) => `Level ${i + 1}: ${line}`)),
     ...regionLines(first.regions.length > 0 ? levels[levels.length - 1].report.regions : []),
   ].join('\n');
 }

@@ -11,7 +11,7 @@ import { labelsWithMap, takenMapNames, triangleName, withMap } from '../formats/
 import type { Labels } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import { droppedNotes, featureNotes, oddityNotes } from '../session/oddity-notes.ts';
-import { reportJson } from '../session/report-json.ts';
+import { reportJson, type Seams } from '../session/report-json.ts';
 import { requireKnownBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
 import { without } from './exclude.ts';
@@ -71,6 +71,10 @@ async function callCore<Result>(
   }
 }
 
+function seamsOf({ seamPoints = 0, locked }: OpenedSurface): Seams {
+  return { points: seamPoints, touching: locked?.length ?? 0 };
+}
+
 /** What there is to say when all files are written. */
 interface Outcome {
   report: Report;
@@ -90,7 +94,7 @@ async function writeResult(files: StagedFiles, request: Request, surface: Opened
     await files.write(path, bytes);
     notes.push([path, losses]);
   }
-  if (report) await files.write(report, reportJson(reduction.report, options));
+  if (report) await files.write(report, reportJson(reduction.report, options, seamsOf(surface)));
   return { report: reduction.report, notes, text: reportText(reduction.report, options) };
 }
 
@@ -107,7 +111,7 @@ async function writeLevels(
     bounds: levels[i],
     report: level.report,
   }));
-  if (report) await files.write(report, levelsJson(reports, options));
+  if (report) await files.write(report, levelsJson(reports, options, seamsOf(surface)));
   return { report: reports[0].report, notes, text: levelsText(reports) };
 }
 

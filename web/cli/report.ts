@@ -4,12 +4,16 @@ import type { ReportOptions } from '../session/report-json.ts';
 import { boundOf } from './bound-arguments.ts';
 import { regionLines } from './region-text.ts';
 import { numberText, roundedUpText, textTable } from './text-table.ts';
+import { turnLines } from './turn-text.ts';
 
 /** The same for people. */
-export function reportText(
-  { triangles: { before, after }, variables, regions, seconds }: Report,
-  { bounds }: Pick<ReportOptions, 'bounds'>,
-): string {
+export function reportText(report: Report, { bounds }: Pick<ReportOptions, 'bounds'>): string {
+  const {
+    triangles: { before, after },
+    variables,
+    regions,
+    seconds,
+  } = report;
   const removed = numberText((100 * (before - after)) / before);
   const rows = variables.map(({ name, constant, bound, error, ratio }) => {
     const given = boundOf(bounds, name);
@@ -21,6 +25,7 @@ export function reportText(
   return [
     `${grouped(before)} -> ${counted(after, 'triangle')} (${removed} % removed) in ${seconds.toFixed(2)} s`,
     textTable([['variable', 'bound', '', 'error', 'error/bound'], ...rows]),
+    ...turnLines(report),
     ...regionLines(regions),
   ].join('\n');
 }

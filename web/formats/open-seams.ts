@@ -13,7 +13,8 @@ import { counted } from './wording.ts';
 export function withOpenSeams(surface: Surface): Surface {
   const { seams, touching } = contactsIn(surface.mesh);
   const notes = [...surface.notes, ...seamNotes(seams, touching.length)];
-  return touching.length > 0 ? { ...surface, locked: touching, notes } : { ...surface, notes };
+  const found = { ...surface, ...(seams > 0 ? { seamPoints: seams } : {}), notes };
+  return touching.length > 0 ? { ...found, locked: touching } : found;
 }
 
 function seamNotes(seams: number, touching: number): string[] {

@@ -20,6 +20,8 @@ export interface Surface extends Labels {
   regions?: ReadonlyMap<string, Int32Array>;
   /** Points where sheets touch and no seam joins them; unless these stay (ReduceOptions.locked), gaps open. */
   locked?: Uint32Array;
+  /** How many points are on seams, where several lie in one place and are reduced together. */
+  seamPoints?: number;
 }
 
 /** Gives the bytes of a file that another one names, by its path relative to that one; throws where there is none. */

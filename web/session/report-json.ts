@@ -22,9 +22,19 @@ export interface ReportOptions {
   lockBoxes: readonly Box[];
 }
 
+/** What the reading of a file found of points in one place, where that is known. */
+export interface Seams {
+  /** Points on seams, reduced together. */
+  points: number;
+  /** Points where sheets touch without a seam; they stay. */
+  touching: number;
+}
+
 /** The report as a file; its shape is documented in docs/command-line.md and stable. */
-export function reportJson(report: Report, options: ReportOptions): string {
-  const { triangles, turnedAway, dropped, featureSize = null, regions, seconds, stopped } = report;
+export function reportJson(report: Report, options: ReportOptions, seams?: Seams): string {
+  const { triangles, turnedAway, dropped, featureSize = null, nonManifoldVertices, regions, seconds, stopped } = report;
+  const { turnedTriangles, unorientableParts } = report.oddities;
+  const { cells, foldedCells } = report;
   const variables = report.variables.map(({ name, components, extent, constant, bound, error, ratio }) => ({
     name,
     components,
@@ -35,6 +45,18 @@ export function reportJson(report: Report, options: ReportOptions): string {
     ratio: Number.isFinite(bound) ? ratio : null,
   }));
   const vanishedRegions = regions.filter((region) => region.triangles.after === 0).map(({ label }) => label);
-  const facts = { triangles, turnedAway, dropped, featureSize, variables, regions, vanishedRegions };
+  const facts = {
+    triangles,
+    orientation: { turnedTriangles, unorientableParts },
+    nonManifoldVertices,
+    seams,
+    map: options.errors === 'tracked' ? { cells, foldedCells } : null,
+    turnedAway,
+    dropped,
+    featureSize,
+    variables,
+    regions,
+    vanishedRegions,
+  };
   return `${JSON.stringify({ ...facts, seconds, options, stopped }, undefined, 2)}\n`;
 }
