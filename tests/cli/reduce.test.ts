@@ -535,6 +535,25 @@ test('cell data of a legacy VTK file part the surface into regions, too', async 
   }
 });
 
+test('labels may be stored as doubles; the first value that is no label is named with its cell', async () => {
+  const file = (last: number) =>
+    [
+      ...['# vtk DataFile Version 3.0', 'square', 'ASCII', 'DATASET POLYDATA', 'POINTS 4 double'],
+      ...['0 0 0 1 0 0 1 1 0 0 1 0', 'POLYGONS 2 8', '3 0 1 2', '3 0 2 3'],
+      ...['CELL_DATA 2', 'SCALARS part double', 'LOOKUP_TABLE default', `1 ${last}`],
+    ].join('\n');
+  const run = () => folder.run('reduce', 'doubles.vtk', '-o', 'out.vtp', '-b', '*=1%', '--region', 'part');
+  folder.write('doubles.vtk', file(-2));
+  expect(await run()).toMatchObject({ status: 0 });
+  expect([...((await folder.read('out.vtp')).regions?.get('part') ?? [])].toSorted()).toEqual([-2, 1]);
+  folder.write('doubles.vtk', file(2.5));
+  const { status, stderr } = await run();
+  expect(status).toBe(2);
+  expect(stderr).toContain(
+    'the cell data “part” cannot part the surface into regions: cell 1, counted from 0, has 2.5',
+  );
+});
+
 test('no part pierces another where that is refused', async () => {
   const plate = [0, 0.5, 1].flatMap((y) => [0, 0.5, 1].flatMap((x) => [x, y, x === 0.5 && y === 0.5 ? 0.1 : 0]));
   const spike = [0.5, 0.5, 0.05, 0.48, 0.48, -0.1, 0.52, 0.48, -0.1, 0.5, 0.52, -0.1];

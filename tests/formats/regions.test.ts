@@ -5,7 +5,7 @@ import { expectFault } from './faults.ts';
 import { plyFile, plyOrders, square } from './ply-file.ts';
 import { bytesOf, smallMesh } from './sample-mesh.ts';
 
-const vtpTypes = { int: 'Int32', long: 'Int64', float: 'Float32' };
+const vtpTypes = { int: 'Int32', long: 'Int64', float: 'Float32', double: 'Float64' };
 
 interface Cells {
   /** As legacy VTK has them, a cell a line: the number of corners, then the corners. */
@@ -60,12 +60,25 @@ describe.each([
     expect(notes.join(' ')).not.toContain('--');
   });
 
-  it.each<[string, Cells]>([
-    ['fractions', { values: [9, 1, 0.5], type: 'float' }],
-    ['numbers of more than 32 bits', { values: [9, 2 ** 31, 1], type: 'long' }],
-  ])('are none where they are %s', async (_what, cells) => {
-    const { regions, summary } = await read(cells);
+  it.each(['long', 'float', 'double'] as const)('are labels of whatever type they are stored in, %s', async (type) => {
+    const { regions, unfitRegions } = await read({ values: [9, 2 ** 24, -2], type });
+    expect(regions).toEqual(new Map([['part', Int32Array.of(2 ** 24, 2 ** 24, -2)]]));
+    expect(unfitRegions?.size).toBe(0);
+  });
+
+  it.each<[string, Cells, string]>([
+    ['fractions', { values: [9, 1, 0.5], type: 'float' }, 'cell 2, counted from 0, has 0.5'],
+    ['fractions of lines', { values: [0.25, 1, 0.5], type: 'double' }, 'cell 0, counted from 0, has 0.25'],
+    ['no numbers', { values: [9, Number.NaN, 1], type: 'double' }, 'cell 1, counted from 0, has NaN'],
+    [
+      'numbers of more than 32 bits',
+      { values: [9, 2 ** 31, 1], type: 'long' },
+      'cell 1, counted from 0, has 2147483648',
+    ],
+  ])('are none where they are %s', async (_what, cells, misfit) => {
+    const { regions, unfitRegions, summary } = await read(cells);
     expect([...(regions?.keys() ?? [])]).toEqual([]);
+    expect([...(unfitRegions ?? [])]).toEqual([['part', `${misfit}, which is no whole number of 32 bits`]]);
     expect(summary).toMatch(/Not carried: cell data “part”; 1 line\..*Cell Data to Point Data/);
   });
 
@@ -98,7 +111,8 @@ describe.each(plyOrders)('face properties of whole numbers, PLY, %s', (order) =>
   };
 
   it('are labels of the triangles that the faces are split into; colours and fractions are none', async () => {
-    const { regions, notes } = await read(0.5);
+    const { regions, unfitRegions, notes } = await read(0.5);
+    expect(unfitRegions?.get('heat')).toBe('face 0, counted from 0, has 0.5, which is no whole number of 32 bits');
     expect(regions).toEqual(new Map([['part', Int32Array.of(-3, -3, 5)]]));
     expect(notes).toContain('Not carried: the face properties “red”, “green”, “blue”, “heat”.');
     expect(notes).toContain('Not carried: cell data “part”.');

@@ -69,7 +69,7 @@ describe('legacy VTK attributes', () => {
 
   it('are left out by name if they belong to cells or are text', async () => {
     const text =
-      'FIELD f 2\nlabel 1 3 string\na\n\nb\nq 1 3 int\n1 2 3\nCELL_DATA 1\nSCALARS c float\nLOOKUP_TABLE default\n1\nPOINT_DATA 3\nVECTORS v float\n0 0 0 0 0 0 0 0 0\n';
+      'FIELD f 2\nlabel 1 3 string\na\n\nb\nq 1 3 int\n1 2 3\nCELL_DATA 1\nSCALARS c float\nLOOKUP_TABLE default\n1.5\nPOINT_DATA 3\nVECTORS v float\n0 0 0 0 0 0 0 0 0\n';
     const { variables, summary } = await read(text);
     expect(variables).toEqual(['q 1 2 3', 'v 0 0 0 0 0 0 0 0 0']);
     expect(summary).toContain('point data “label”; cell data “c”');

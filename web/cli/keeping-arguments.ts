@@ -77,6 +77,12 @@ export function withRegions<Labelled extends OpenedSurface>({ region }: Keeping,
   if (region === undefined) return { ...surface, notes };
   const regions = surface.regions?.get(region);
   if (regions) return { ...surface, mesh: { ...surface.mesh, regions }, regionName: region, notes };
+  const misfit = surface.unfitRegions?.get(region);
+  if (misfit !== undefined) {
+    throw new Fault(
+      `${surface.path}: the cell data ${quoted(region)} cannot part the surface into regions: ${misfit}.`,
+    );
+  }
   const known = names.length > 0 ? `those of whole numbers are ${listed(names)}` : 'it has none of whole numbers';
   throw new Fault(`${surface.path}: there is no cell data ${quoted(region)} to part it into regions; ${known}.`);
 }

@@ -106,7 +106,7 @@ function readArray(shape: ArrayShape, text: LegacyVtkText, attributes: Attribute
   }
   readMetadata(text, array, isPoints ? labels : noLabels());
   const whole = components > 0 && array.values.length === components * tuples;
-  const isLabel = attributes.noun === 'cell data' && array.integers && components === 1;
+  const isLabel = attributes.noun === 'cell data' && components === 1;
   if (whole && (isPoints || isLabel)) attributes.arrays.push(array);
   else attributes.lost.push(name);
   return array;

@@ -20,10 +20,10 @@ import {
 import { noPolygons, type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
 import { regionNotes } from './region-notes.ts';
-import { type Labels, noLabels, type Surface } from './surface.ts';
+import { type CellLabels, type Labels, noLabels, type Surface } from './surface.ts';
 import { cutNotes } from './text-lines.ts';
 import { undecoded } from './utf8-text.ts';
-import { labelsOfTriangles } from './vtk-pieces.ts';
+import { labelsOfTriangles, misfitAmong } from './vtk-pieces.ts';
 import { capitalised, counted, listed, quoted } from './wording.ts';
 
 // Written by hand although three.js has a PLYLoader. That one converts colours between colour spaces, rounding them; has
@@ -58,9 +58,9 @@ export function readPly(bytes: Uint8Array): Surface {
   }
   const { position, variables, notes: vertexNotes } = parts.vertices ?? noPoints();
   const triangles = joinTriangles({ ...parts, faces: parts.faces?.polygons }, position, notes);
-  const regions = readRegions(parts.faces, parts.strips, header.comments, notes);
+  const cellLabels = readRegions(parts.faces, parts.strips, header.comments, notes);
   notes.push(...vertexNotes, ...textureNotes(header), ...endNotes(bytes, header, values));
-  return { mesh: { position, triangles, variables }, notes, ...labels(header, variables), regions };
+  return { mesh: { position, triangles, variables }, notes, ...labels(header, variables), ...cellLabels };
 }
 
 function noPoints(): never {
@@ -153,18 +153,26 @@ function readFaces(element: PlyElement, values: PlyValues): Faces {
 }
 
 /** Face properties of whole numbers as labels of the triangles; of files without strips, whose triangles follow the faces. */
-function readRegions(faces: Faces | undefined, strips: Polygons | undefined, comments: string[], notes: string[]) {
+function readRegions(
+  faces: Faces | undefined,
+  strips: Polygons | undefined,
+  comments: string[],
+  notes: string[],
+): CellLabels {
   const regions = new Map<string, Int32Array>();
+  const unfitRegions = new Map<string, string>();
   const names = declaredRegions(comments);
   const lost = [...(faces?.others ?? [])];
   for (const [property, numbers] of faces?.columns ?? []) {
-    const labels = faces?.polygons && !strips?.ends.length && labelsOfTriangles(numbers, 0, faces.polygons);
-    if (labels) regions.set(names.get(property) ?? property, labels);
-    else lost.push(property);
+    const misfit = misfitAmong(numbers, 'face');
+    if (misfit !== undefined) unfitRegions.set(names.get(property) ?? property, misfit);
+    if (faces?.polygons && !strips?.ends.length && misfit === undefined) {
+      regions.set(names.get(property) ?? property, labelsOfTriangles(numbers, 0, faces.polygons));
+    } else lost.push(property);
   }
   if (lost.length > 0) notes.push(`Not carried: the face properties ${listed(lost)}.`);
   notes.push(...regionNotes(regions));
-  return regions;
+  return { regions, unfitRegions };
 }
 
 function cornerList({ properties }: PlyElement): PlyProperty | undefined {

@@ -5,9 +5,9 @@ import { decodeName, LegacyVtkText } from './legacy-vtk-text.ts';
 import { countOf, typeOf } from './legacy-vtk-words.ts';
 import { noPolygons, type Polygons } from './polygons.ts';
 import { regionNotes } from './region-notes.ts';
-import { type Labels, noLabels, type Surface } from './surface.ts';
+import { type CellLabels, type Labels, noLabels, type Surface } from './surface.ts';
 import { cutNotes as lineBreakNotes } from './text-lines.ts';
-import { cellDataAdvice, labelsOfTriangles, meshOfPieces, type PointArray } from './vtk-pieces.ts';
+import { cellDataAdvice, labelsOfTriangles, meshOfPieces, misfitAmong, type PointArray } from './vtk-pieces.ts';
 import { isFloat } from './vtk-values.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
 
@@ -45,21 +45,23 @@ export function readVtk(bytes: Uint8Array): Surface {
   if (!position) throw new FormatError('no_points', 'The file has no POINTS.');
   const changes: string[] = [];
   const mesh = meshOfPieces([{ prefix: '', position, arrays: points.arrays, polygons, strips }], changes);
-  const regions = readRegions(parts);
+  const { regions, unfitRegions } = readRegions(parts);
   const notes = [...lossNotes(parts, regions), ...regionNotes(regions), ...changes, ...cutNotes(bytes, text, points)];
-  return { mesh, notes, ...labels, regions };
+  return { mesh, notes, ...labels, regions, unfitRegions };
 }
 
 /** Cell data of one whole number a cell, as labels of the triangles; of files without strips, whose triangles follow the cells. */
-function readRegions({ cells, polygons, strips, verts, lines }: Parts): Map<string, Int32Array> {
+function readRegions({ cells, polygons, strips, verts, lines }: Parts): CellLabels {
   const regions = new Map<string, Int32Array>();
+  const unfitRegions = new Map<string, string>();
   const before = verts + lines;
-  if (strips.ends.length > 0 || cells.tuples !== before + polygons.ends.length) return regions;
-  for (const { name, values } of cells.arrays) {
-    const labels = labelsOfTriangles(values, before, polygons);
-    if (labels && name !== '') regions.set(name, labels);
+  if (strips.ends.length > 0 || cells.tuples !== before + polygons.ends.length) return { regions, unfitRegions };
+  for (const { name, values } of cells.arrays.filter((array) => array.name !== '')) {
+    const misfit = misfitAmong(values);
+    if (misfit === undefined) regions.set(name, labelsOfTriangles(values, before, polygons));
+    else unfitRegions.set(name, misfit);
   }
-  return regions;
+  return { regions, unfitRegions };
 }
 
 function newParts(version: number): Parts {

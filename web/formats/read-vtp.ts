@@ -4,7 +4,7 @@ import { FormatError } from './format-error.ts';
 import { joined } from './joined-arrays.ts';
 import { noPolygons, type Polygons } from './polygons.ts';
 import { regionNotes } from './region-notes.ts';
-import { type Labels, noLabels, type Surface } from './surface.ts';
+import { type CellLabels, type Labels, noLabels, type Surface } from './surface.ts';
 import { type AppendedData, isFloatArray, readDataArray, type VtkPacking } from './vtk-data-array.ts';
 import {
   asEnds,
@@ -12,6 +12,7 @@ import {
   cellDataAdvice,
   labelsOfTriangles,
   meshOfPieces,
+  misfitAmong,
   type Piece,
   type PointArray,
 } from './vtk-pieces.ts';
@@ -42,44 +43,53 @@ export function readVtp(bytes: Uint8Array): Surface {
   );
   const changes: string[] = [];
   const mesh = meshOfPieces(pieces, changes);
-  const regions = readRegions(pieceNodes, pieces, packing);
+  const { regions, unfitRegions } = readRegions(pieceNodes, pieces, packing);
   const notes = [...notCarried(data, pieceNodes, regions), ...regionNotes(regions), ...changes];
   const labels = labelsOf(pieceNodes, mesh.variables);
   // Pieces repeat the points where they meet.
-  return pieces.length > 1 ? { ...sealed(weld(mesh), notes), ...labels, regions } : { mesh, notes, ...labels, regions };
+  const joinedPieces = pieces.length > 1 ? sealed(weld(mesh), notes) : { mesh, notes };
+  return { ...joinedPieces, ...labels, regions, unfitRegions };
 }
 
 /** Cell data of one whole number a cell, as labels of the triangles; of files without strips, whose triangles follow the cells. */
-function readRegions(nodes: XmlNode[], pieces: Piece[], packing: VtkPacking): Map<string, Int32Array> {
+function readRegions(nodes: XmlNode[], pieces: Piece[], packing: VtkPacking): CellLabels {
   const regions = new Map<string, Int32Array>();
-  if (nodes.length === 0 || pieces.some(({ strips }) => strips.ends.length > 0)) return regions;
+  const unfitRegions = new Map<string, string>();
+  if (nodes.length === 0 || pieces.some(({ strips }) => strips.ends.length > 0)) return { regions, unfitRegions };
   const arraysOf = nodes.map(labelArrays);
   for (const name of arraysOf[0].keys()) {
     const found = arraysOf.flatMap((arrays) => arrays.get(name) ?? []);
     if (found.length < nodes.length) continue;
-    const parts = found.flatMap((node, index) => labelsInPiece(node, nodes[index], pieces[index], packing) ?? []);
-    if (parts.length === nodes.length) regions.set(name, joined(parts, Int32Array));
+    const cells = found.map((node, index) => cellValues(node, nodes[index], pieces[index], packing));
+    const misfit = cells.map(({ values, prefix }) => misfitAmong(values, `${prefix}cell`)).find(Boolean);
+    if (misfit !== undefined) unfitRegions.set(name, misfit);
+    else regions.set(name, joined(cells.map(labelsInPiece), Int32Array));
   }
-  return regions;
+  return { regions, unfitRegions };
 }
 
-/** The cell-data arrays that can hold labels, by name. */
+/** The cell-data arrays of one number a cell, by name. */
 function labelArrays(piece: XmlNode): Map<string, XmlNode> {
   const arrays = childrenOf(piece, 'CellData').flatMap((parent) => childrenOf(parent, 'DataArray'));
-  const fitting = arrays.filter((node) => !isFloatArray(node) && componentsOf(node) === 1 && node.attributes.Name);
+  const fitting = arrays.filter((node) => componentsOf(node) === 1 && node.attributes.Name);
   return new Map(fitting.map((node) => [node.attributes.Name ?? '', node]));
 }
 
-/** See labelsOfTriangles. */
-function labelsInPiece(
-  node: XmlNode,
-  piece: XmlNode,
-  { polygons, prefix }: Piece,
-  packing: VtkPacking,
-): Int32Array | null {
+/** The numbers of an array of cell data, with what they belong to: `before` cells are no surface and come first. */
+interface CellValues extends Pick<Piece, 'polygons' | 'prefix'> {
+  values: VtkValues;
+  before: number;
+}
+
+function cellValues(node: XmlNode, piece: XmlNode, { polygons, prefix }: Piece, packing: VtkPacking): CellValues {
   const before = countOf(piece, 'NumberOfVerts') + countOf(piece, 'NumberOfLines');
   const where = `array ${prefix}${quoted(node.attributes.Name ?? '')}`;
-  return labelsOfTriangles(readDataArray(node, before + polygons.ends.length, packing, where), before, polygons);
+  return { values: readDataArray(node, before + polygons.ends.length, packing, where), before, polygons, prefix };
+}
+
+/** See labelsOfTriangles. */
+function labelsInPiece({ values, before, polygons }: CellValues): Int32Array {
+  return labelsOfTriangles(values, before, polygons);
 }
 
 function openDocument(bytes: Uint8Array): { root: XmlNode; appended: AppendedData | undefined } {

@@ -11,13 +11,19 @@ export interface Labels {
   componentNames: Record<string, string[]>;
 }
 
+/** What can part a surface into regions, and what cannot. */
+export interface CellLabels {
+  /** Labels of the triangles, by the names of the cell-data arrays that hold them. */
+  regions: ReadonlyMap<string, Int32Array>;
+  /** Why other arrays of one number a cell cannot be labels, by their names: a clause each. */
+  unfitRegions: ReadonlyMap<string, string>;
+}
+
 /** What a reader hands over. */
-export interface Surface extends Labels {
+export interface Surface extends Labels, Partial<CellLabels> {
   mesh: Mesh;
   /** What the user should know of the reading: what was changed, what is not carried. One sentence each. */
   notes: string[];
-  /** Labels of the triangles, by the names of the cell-data arrays that hold them. */
-  regions?: ReadonlyMap<string, Int32Array>;
   /** Points where sheets touch and no seam joins them; unless these stay (ReduceOptions.locked), gaps open. */
   locked?: Uint32Array;
   /** How many points are on seams, where several lie in one place and are reduced together. */

@@ -125,12 +125,23 @@ export function asEnds(values: VtkValues, where: string): Uint32Array {
   throw new FormatError('bad_polygon', `The ${where} falls at ${grouped(falling)}.`, where);
 }
 
+/** Which cell has the first value that is no label, and what it is, as a clause; undefined where all are labels. */
+export function misfitAmong(values: VtkValues, cell = 'cell'): string | undefined {
+  const wrong = values.findIndex((value: number) => !isLabel(value));
+  if (wrong < 0) return undefined;
+  return `${cell} ${grouped(wrong)}, counted from 0, has ${values[wrong]}, which is no whole number of 32 bits`;
+}
+
+function isLabel(value: number): boolean {
+  return value === Math.trunc(value) && Math.abs(value) < 2 ** 31;
+}
+
 /**
  * Whole numbers of cells as labels of the triangles, polygon by polygon; `before` cells are no surface and come first, and a
- * polygon of n corners is n − 2 triangles. Null where a number is none of 32 bits.
+ * polygon of n corners is n − 2 triangles. Of
+ * each number misfitAmong says nothing.
  */
-export function labelsOfTriangles(values: VtkValues, before: number, { ends }: Polygons): Int32Array | null {
-  if (values.some((value: number) => value !== Math.trunc(value) || Math.abs(value) >= 2 ** 31)) return null;
+export function labelsOfTriangles(values: VtkValues, before: number, { ends }: Polygons): Int32Array {
   const labels = new Int32Array(ends.length > 0 ? ends[ends.length - 1] - 2 * ends.length : 0);
   let triangle = 0;
   ends.forEach((end, polygon) => {
