@@ -57,7 +57,7 @@ async function openFile(page: Page, path: string): Promise<Way> {
 async function moveSlider(page: Page): Promise<Way[]> {
   const ways: Way[] = [];
   for (let move = 0; move < moves; move++) {
-    await page.locator('input[type=range]').first().focus();
+    await page.getByRole('slider', { name: 'Bound of position' }).focus();
     await page.evaluate(() => window.probe.begin());
     await page.keyboard.press(move % 2 === 0 ? 'ArrowRight' : 'ArrowLeft');
     await page.waitForFunction(() => window.probe.steps.some(({ name }) => name === 'reduce'));
