@@ -239,17 +239,19 @@ describe('changing a bound', () => {
 });
 
 describe('the method', () => {
+  const anotherMethod = {
+    errors: 'propagated',
+    cost: 'maximum',
+    refusePiercing: true,
+    limitToFeatureSize: true,
+    dropSmallParts: true,
+  } as const;
+
   test('is tracked at first, and another one starts a reduction', async () => {
     const { session, runs } = setUp();
     await session.openFile(file('a.ply'));
     expect(runs[0].options).toMatchObject({ errors: 'tracked' });
-    session.setMethod({
-      errors: 'propagated',
-      cost: 'maximum',
-      refusePiercing: true,
-      limitToFeatureSize: true,
-      dropSmallParts: true,
-    });
+    session.setMethod(anotherMethod);
     expect(runs[0].options.signal?.aborted).toBe(true);
     await settled();
     expect(runs[1].options).toMatchObject({
@@ -262,13 +264,7 @@ describe('the method', () => {
 
   test('stays when another surface is opened', async () => {
     const { session, runs } = setUp();
-    session.setMethod({
-      errors: 'propagated',
-      cost: 'maximum',
-      refusePiercing: true,
-      limitToFeatureSize: true,
-      dropSmallParts: true,
-    });
+    session.setMethod(anotherMethod);
     await session.openFile(file('a.ply'));
     expect(runs).toHaveLength(1);
     expect(runs[0].options).toMatchObject({
