@@ -1,6 +1,7 @@
 #include "check_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace meshbound {
@@ -36,6 +37,12 @@ Status check_locks(const Mesh& mesh, const Options& options) {
     return {};
 }
 
+bool is_free(const ResolvedBound& bound) { return !std::isfinite(bound.absolute); }
+
+Status position_is_free(const std::string& wish) {
+    return {Fault::bad_option, wish + " needs a bound of \"position\", which is free.", "position", {}};
+}
+
 } // namespace
 
 Status check_options(const Mesh& mesh, const Options& options) {
@@ -45,6 +52,16 @@ Status check_options(const Mesh& mesh, const Options& options) {
     if (sweeps.empty() || !(sweeps.front() > 0) || sweeps.back() != 1 || !rising)
         return {Fault::bad_option, "The sweeps must be rising fractions above 0, the last one 1.", "", {}};
     return check_locks(mesh, options);
+}
+
+Status check_feature_limit(const std::vector<ResolvedBound>& bounds, const Options& options) {
+    if (!options.limit_to_feature_size || !is_free(bounds[0])) return {};
+    return position_is_free("Limiting to the feature size");
+}
+
+Status check_small_parts(const std::vector<ResolvedBound>& bounds, const Options& options) {
+    if (!options.drop_small_parts || !is_free(bounds[0])) return {};
+    return position_is_free("Leaving out small parts");
 }
 
 } // namespace meshbound

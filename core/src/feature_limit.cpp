@@ -1,7 +1,6 @@
 #include "feature_limit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 #include "meshbound/feature_size.hpp"
@@ -27,16 +26,14 @@ Status too_fine(double size) {
 
 Status limit_to_feature_size(const Mesh& mesh, const Options& options, std::vector<std::vector<ResolvedBound>>& levels,
                              std::optional<double>& size, Ticker& ticker) {
+    if (!options.limit_to_feature_size) return {};
     double largest = 0;
-    for (const std::vector<ResolvedBound>& bounds : levels)
-        if (std::isfinite(bounds[0].absolute)) largest = std::max(largest, bounds[0].absolute);
-    if (!options.limit_to_feature_size || largest == 0) return {};
+    for (const std::vector<ResolvedBound>& bounds : levels) largest = std::max(largest, bounds[0].absolute);
     size = feature_size(mesh, 2 * largest,
                         [&](double done) { return ticker.tick(work_a_report, share_of_search * done); });
     ticker.start_from(share_of_search);
     if (!size) return {};
     for (std::vector<ResolvedBound>& bounds : levels) {
-        if (!std::isfinite(bounds[0].absolute)) continue;
         bounds[0].absolute = std::min(bounds[0].absolute, *size / 2);
         if (!(rounding_margin(bounds[0]) < largest_rounding_margin)) return too_fine(*size);
     }

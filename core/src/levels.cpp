@@ -50,14 +50,30 @@ Status check_step(const Mesh& mesh, const LevelBounds& bounds, std::size_t level
             level};
 }
 
+/// A fault of one level says so.
+Status of_level(std::size_t level, Status status) {
+    if (!status.ok()) status.message = "Of " + name_of(level) + ": " + status.message;
+    return status;
+}
+
 Status resolve_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, LevelBounds& resolved) {
     if (bounds.empty()) return {Fault::bad_levels, "There must be the bounds of at least one level.", "", {}};
     for (std::size_t level = 0; level < bounds.size(); ++level) {
         resolved.emplace_back();
-        Status status = resolve_bounds(mesh, bounds[level], resolved.back());
-        if (!status.ok()) status.message = "Of " + name_of(level) + ": " + status.message;
+        Status status = of_level(level, resolve_bounds(mesh, bounds[level], resolved.back()));
         if (status.ok() && level > 0) status = check_step(mesh, resolved, level);
         if (!status.ok()) return status;
+    }
+    return {};
+}
+
+/// Whether the options go with the bounds. Parts are left out within those of the first level.
+Status check_together(const Mesh& mesh, const LevelBounds& bounds, const Options& options) {
+    for (std::size_t level = 0; level < bounds.size(); ++level) {
+        Status status = check_feature_limit(bounds[level], options);
+        if (status.ok() && level == 0) status = check_small_parts(bounds[level], options);
+        if (!status.ok()) return of_level(level, status);
+        if (status = check_focus(mesh, bounds[level], options); !status.ok()) return status;
     }
     return {};
 }
@@ -109,8 +125,7 @@ Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const 
         LevelBounds resolved;
         if (Status status = resolve_levels(mesh, bounds, resolved); !status.ok()) return status;
         if (Status status = check_options(mesh, options.reduction); !status.ok()) return status;
-        for (const std::vector<ResolvedBound>& bounds_of_level : resolved)
-            if (Status status = check_focus(mesh, bounds_of_level, options.reduction); !status.ok()) return status;
+        if (Status status = check_together(mesh, resolved, options.reduction); !status.ok()) return status;
         ticker.ask();
         std::optional<double> feature;
         if (Status status = limit_to_feature_size(mesh, options.reduction, resolved, feature, ticker); !status.ok())

@@ -22,6 +22,8 @@ Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Re
         std::vector<std::vector<ResolvedBound>> resolved(1);
         if (Status status = resolve_bounds(mesh, bounds, resolved[0]); !status.ok()) return status;
         if (Status status = check_options(mesh, options); !status.ok()) return status;
+        if (Status status = check_feature_limit(resolved[0], options); !status.ok()) return status;
+        if (Status status = check_small_parts(resolved[0], options); !status.ok()) return status;
         if (Status status = check_focus(mesh, resolved[0], options); !status.ok()) return status;
         ticker.ask();
         std::optional<double> feature;

@@ -81,7 +81,6 @@ std::vector<Part> measure_parts(const Mesh& mesh, const Multipliers& multipliers
 DroppedParts drop_small_parts(const Mesh& mesh, double bound, const Multipliers& multipliers,
                               const std::vector<std::uint32_t>& kept, Surface& surface) {
     DroppedParts dropped;
-    if (bound == std::numeric_limits<double>::infinity()) return dropped; // no bound, nothing below it
     Sets sets = find_parts(mesh, surface);
     std::vector<Part> parts = measure_parts(mesh, multipliers, surface, sets);
     for (const std::uint32_t vertex : kept) parts[sets.of(vertex)].kept = true;

@@ -141,15 +141,32 @@ TEST(FeatureLimitTest, TheSearchForItIsPartOfTheProgress) {
     EXPECT_LT(calls, progress.size());
 }
 
-TEST(FeatureLimitTest, LeavesAFinerBoundAndAFreePosition) {
+TEST(FeatureLimitTest, LeavesAFinerBound) {
     Options options;
     options.limit_to_feature_size = true;
     const Mesh mesh = meshes::two_sheets(20, 0.05);
     const Reduction fine = promise::reduced(mesh, {{"position", absolute(0.001)}}, options);
     EXPECT_FALSE(fine.report.feature_size.has_value());
     EXPECT_EQ(fine.report.variables[0].bound.absolute, 0.001);
-    const Reduction free = promise::reduced(mesh, {}, options);
-    EXPECT_FALSE(free.report.feature_size.has_value());
+}
+
+/// There is nothing to limit: the lobes may pierce each other, against what was asked for.
+TEST(FeatureLimitTest, OfAFreePositionIsRefused) {
+    LevelOptions options;
+    options.reduction.limit_to_feature_size = true;
+    const Mesh mesh = meshes::two_sheets(6, 0.05);
+    Reduction reduction;
+    for (const Bounds& bounds : {Bounds{}, Bounds{{"*", relative(0.1)}, {"position", free_of_bound()}}}) {
+        const Status status = reduce(mesh, bounds, options.reduction, reduction);
+        EXPECT_EQ(status.fault, Fault::bad_option);
+        EXPECT_EQ(status.variable, "position");
+    }
+    Levels levels;
+    const Bounds bounded = {{"position", relative(0.01)}};
+    const Status status = reduce_levels(mesh, {bounded, Bounds{}}, options, levels);
+    EXPECT_EQ(status.fault, Fault::bad_option);
+    EXPECT_EQ(status.variable, "position");
+    EXPECT_EQ(status.message.rfind("Of level 2: ", 0), 0U) << status.message;
 }
 
 TEST(FeatureLimitTest, HoldsInEveryLevel) {

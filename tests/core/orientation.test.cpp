@@ -207,4 +207,18 @@ TEST_P(Orientation, SmallPartsStayAwayInEveryLevel) {
     for (const Reduction& level : levels.levels) EXPECT_EQ(meshes::topology(level.mesh).components, 2U);
 }
 
+TEST_P(Orientation, SmallPartsNeedABoundToBeSmallerThan) {
+    LevelOptions how{GetParam().options()};
+    how.reduction.drop_small_parts = true;
+    const Mesh mesh = with_crumbs();
+    const Bounds bounded = promise::percent(3, 10), free = {{"*", relative(0.1)}, {"position", free_of_bound()}};
+    Reduction reduction;
+    const Status status = meshbound::reduce(mesh, free, how.reduction, reduction);
+    EXPECT_EQ(status.fault, Fault::bad_option);
+    EXPECT_EQ(status.variable, "position");
+    Levels levels;
+    EXPECT_EQ(reduce_levels(mesh, {free, {}}, how, levels).fault, Fault::bad_option);
+    EXPECT_TRUE(reduce_levels(mesh, {bounded, {}}, how, levels).ok()) << "the first level's bound is what counts";
+}
+
 } // namespace

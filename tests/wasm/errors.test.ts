@@ -139,6 +139,18 @@ const cases: FaultCase[] = [
   },
   { what: 'a focus that does not exist', code: 'unknown_variable', variable: 'near', options: { focus: 'near' } },
   { what: 'a focus of three components', code: 'bad_option', variable: 'flow', options: { focus: 'flow' } },
+  {
+    what: 'a limit to the feature size of a free position',
+    code: 'bad_option',
+    variable: 'position',
+    options: { bounds: { flow: { relative: 0.1 } }, limitToFeatureSize: true },
+  },
+  {
+    what: 'small parts to leave out beside a free position',
+    code: 'bad_option',
+    variable: 'position',
+    options: { bounds: { '*': 'free' }, dropSmallParts: true },
+  },
   { what: 'an unknown option', code: 'bad_option', options: { cost: 'cheap' as ReduceOptions['cost'] } },
 ];
 

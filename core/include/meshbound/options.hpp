@@ -46,7 +46,7 @@ struct Options {
     bool refuse_piercing = false;
 
     /// Limit the bound of position to half the feature size (see feature_size): two lobes, both of which may move, then stay
-    /// apart. The paper's way (§3.2.3), coarser than refuse_piercing and without its certainty.
+    /// apart. The paper's way (§3.2.3), coarser than refuse_piercing and without its certainty. Position must not be free.
     bool limit_to_feature_size = false;
 
     /// Tracked errors only: count the folds of the map when the reduction is done, which takes a few percent of its time.
@@ -68,7 +68,7 @@ struct Options {
     /// Whether parts of the surface whose box has a diagonal within the bound of position are left out and counted
     /// (Report::dropped); the promise is then about the rest. A part hangs together over vertices, or over vertices in one
     /// place. The largest part stays, as do parts with locked vertices. Where the bound is multiplied, its least value in the
-    /// part counts; of levels those of the first one.
+    /// part counts; of levels those of the first one. Position must not be free there.
     bool drop_small_parts = false;
 
     /// The name of a variable with one component, above zero everywhere, which multiplies every bound; empty: none does. So
