@@ -183,6 +183,7 @@ val report_to(const Report& report, double seconds) {
                         field("refused", refusals_to(report.refused)), field("oddities", oddities_to(report.oddities)),
                         field("dropped", object(field("parts", number(report.dropped.parts)),
                                                 field("triangles", number(report.dropped.triangles)))),
+                        field("unmetBoxes", list_to(report.unmet_boxes, number)),
                         field("regions", list_to(report.regions, region_report_to)),
                         field("turnedAway", before_after(report.turned_before, report.turned_after)),
                         field("nonManifoldVertices", number(report.non_manifold_vertices)),

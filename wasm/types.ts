@@ -127,6 +127,8 @@ export interface Report {
   };
   /** Parts of the surface that were left out, see `ReduceOptions.dropSmallParts`. */
   dropped: { parts: number; triangles: number };
+  /** Which of `ReduceOptions.lockedBoxes` meet no triangle, so that nothing stays because of them; rising indices. */
+  unmetBoxes: number[];
   /** By rising labels; empty where triangles have none. */
   regions: RegionReport[];
   /** The smallest distance between two lobes, where it limited the bound of position (see `limitToFeatureSize`). */

@@ -1,6 +1,7 @@
 #include "locks.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include <glm/common.hpp>
 
@@ -45,6 +46,16 @@ std::vector<std::uint32_t> locked_vertices(const Mesh& mesh, const Options& opti
             locked.insert(locked.end(), {triangle.x, triangle.y, triangle.z});
     }
     return locked;
+}
+
+std::vector<std::size_t> unmet_boxes(const Mesh& mesh, const Options& options) {
+    std::vector<std::size_t> unmet(options.locked_boxes.size());
+    std::iota(unmet.begin(), unmet.end(), std::size_t{0});
+    for (std::size_t t = 0; t < mesh.triangles.size() && !unmet.empty(); ++t) {
+        const Box box = box_of(mesh, mesh.triangles[t]);
+        std::erase_if(unmet, [&](std::size_t i) { return meet(box, options.locked_boxes[i]); });
+    }
+    return unmet;
 }
 
 } // namespace meshbound

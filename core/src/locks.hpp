@@ -12,4 +12,7 @@ namespace meshbound {
 /// triangles change with the star of one of their vertices only.
 std::vector<std::uint32_t> locked_vertices(const Mesh& mesh, const Options& options);
 
+/// Which of the locked boxes meet no triangle, so that nothing stays because of them: rising indices in Options::locked_boxes.
+std::vector<std::size_t> unmet_boxes(const Mesh& mesh, const Options& options);
+
 } // namespace meshbound

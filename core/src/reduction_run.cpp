@@ -50,7 +50,7 @@ std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& 
 
 ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities, Ticker& ticker)
     : mesh_(mesh), options_(options), oddities_(oddities), ticker_(ticker), team_(threads_to_use(options)),
-      surface_(mesh.triangles, vertex_count(mesh), mesh.regions) {
+      unmet_boxes_(unmet_boxes(mesh, options)), surface_(mesh.triangles, vertex_count(mesh), mesh.regions) {
     if (surface_.discordant_edges() > 0) orient_surface();
     surface_.join_sites(find_seams(mesh, surface_));
 }
@@ -79,6 +79,7 @@ Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, 
     reduction.report = begin_report(mesh_, bounds, oddities_);
     reduction.report.non_manifold_vertices = surface_.non_manifold_vertices();
     reduction.report.dropped = dropped_;
+    reduction.report.unmet_boxes = unmet_boxes_;
     if (ticker_.ask()) sweep_and_report(bounds, reduction, span, link);
     if (ticker_.cancelled()) report_cancelled(reduction);
     reduction.report.triangles_after = reduction.mesh.triangles.size();

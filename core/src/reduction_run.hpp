@@ -60,6 +60,7 @@ private:
     Oddities oddities_;
     Ticker& ticker_;
     Team team_;
+    std::vector<std::size_t> unmet_boxes_;
     Surface surface_;
     std::vector<glm::uvec3> oriented_; // the input's triangles where some were turned; empty else
     DroppedParts dropped_;

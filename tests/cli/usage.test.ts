@@ -54,16 +54,6 @@ const usageFaults: Case[] = [
   ],
   [['reduce', 'in.vtp', ...toOut, ...bound, '-b', 'pressure=1%,2%'], '“1%,2%” is not a number'],
   [
-    ['reduce', 'in.vtp', ...toOut, '-b', '*=1%', '-b', 'position=free', '--limit-to-feature-size'],
-    '--limit-to-feature-size needs a bound of position, which is free here: --bound position=1%',
-  ],
-  [['reduce', 'in.vtp', ...toOut, '-b', '*=free', '--drop-small'], '--drop-small needs a bound of position'],
-  [['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1%', '--drop-small'], '--drop-small needs a bound of position'],
-  [
-    ['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '-b', 'position=free', '--drop-small'],
-    '--drop-small needs a bound of position',
-  ],
-  [
     ['reduce', 'in.vtp', ...toOut, ...bound, '--region', 'part', '--lock-region', '-3'],
     'begins with a minus; the latter is written --lock-region=-3.',
   ],
@@ -124,9 +114,27 @@ const fileFaults: Case[] = [
     /in\.vtp: there is no variable “presure”; .*“position”, “pressure”, “velocity”/,
   ],
   [['reduce', 'in.vtp', ...toOut, ...bound, '--exclude', 'heat'], /no variable “heat”; the variables are “position”/],
+  // More than memory could hold.
+  [
+    ['reduce', 'in.vtp', ...toOut, ...bound, '--lock-points', '3,0-4294967294'],
+    'in.vtp: There is no point 4294967294 to lock: the surface has 25, counted from 0.',
+  ],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--lock-points', '25'], 'in.vtp: There is no point 25 to lock'],
   [['reduce', 'in.vtp', ...toOut, '--levels', '3%,1%'], /in\.vtp: The bound of "position" falls .* level 1 .* level 2/],
   [['reduce', 'in.vtp', ...toOut, '--levels', '3%,3%'], 'in.vtp: The bounds of level 2 are those of level 1'],
   [['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1e-30'], 'in.vtp: The bound of "pressure"'],
+  [
+    ['reduce', 'in.vtp', ...toOut, '-b', '*=1%', '-b', 'position=free', '--limit-to-feature-size'],
+    'in.vtp: Limiting to the feature size needs a bound of "position", which is free.',
+  ],
+  [
+    ['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1%', '--drop-small'],
+    'in.vtp: Leaving out small parts needs a bound of "position", which is free.',
+  ],
+  [
+    ['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '-b', 'position=free', '--drop-small'],
+    'in.vtp: Of level 1: Leaving out small parts needs',
+  ],
   [['reduce', 'nan.vtp', ...toOut, ...bound], /nan\.vtp: .*pressure.*--exclude "pressure"/],
   [
     ['convert', 'nan.vtp', 'out.glb'],

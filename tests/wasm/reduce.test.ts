@@ -135,7 +135,11 @@ describe('reduce', () => {
     const lockedBoxes = [
       { lowest: [0, 0, -1] as [number, number, number], highest: [0.2, 0.2, 1] as [number, number, number] },
     ];
-    const { vertices } = await reduce(mesh, { bounds: withFocus, lockedBoxes });
+    const { vertices, report } = await reduce(mesh, { bounds: withFocus, lockedBoxes });
+    expect(report.unmetBoxes).toEqual([]);
+    const away = { lowest: [0, 0, 7] as [number, number, number], highest: [1, 1, 8] as [number, number, number] };
+    const beside = await reduce(mesh, { bounds: withFocus, lockedBoxes: [...lockedBoxes, away] });
+    expect(beside.report.unmetBoxes).toEqual([1]);
     const inBox = [0, 1, 2, 3].flatMap((row) => [0, 1, 2, 3].map((column) => 17 * row + column));
     expect(Array.from(vertices)).toEqual(expect.arrayContaining(inBox));
   });

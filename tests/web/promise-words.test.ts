@@ -36,6 +36,7 @@ function report(variables: VariableReport[], refused: Partial<Report['refused']>
       unorientableParts: 0,
     },
     dropped: { parts: 0, triangles: 0 },
+    unmetBoxes: [],
     regions: [],
     nonManifoldVertices: 0,
     cells: 0,

@@ -1,9 +1,9 @@
 import type { Box } from '../../wasm/index.ts';
 import { regionNotes } from '../formats/region-notes.ts';
 import { listed, quoted } from '../formats/wording.ts';
-import { readBox } from '../session/box-text.ts';
+import { boxText, readBox } from '../session/box-text.ts';
 import { messageOf } from '../session/failure.ts';
-import { readPoints, writtenOut } from '../session/point-list.ts';
+import { type PointRange, pointsOf, readPoints } from '../session/point-list.ts';
 import { Fault, UsageFault } from './fault.ts';
 import type { OpenedSurface } from './surface-files.ts';
 
@@ -14,15 +14,15 @@ export interface Keeping {
   focus: string | undefined;
   /** Whether parts smaller than the bound of position go. */
   dropSmallParts: boolean;
-  points: Uint32Array;
+  points: PointRange[];
   lockedRegions: Int32Array;
   lockedBoxes: Box[];
 }
 
 /** The points of a list, `3,17,20-40`. Throws a UsageFault. */
-export function parsePoints(list: string): number[] {
+export function parsePoints(list: string): PointRange[] {
   try {
-    return readPoints(list).flatMap(writtenOut);
+    return readPoints(list);
   } catch (error) {
     throw new UsageFault(`--lock-points ${quoted(list)} cannot be: ${messageOf(error)}`);
   }
@@ -59,12 +59,32 @@ export function requireFocus(
   throw new Fault(`${path}: there is no variable ${quoted(focus)} to multiply the bounds.`);
 }
 
-/** What the core is to keep: what the surface itself needs, and what the command line adds. */
-export function settingsOf({ points, region, ...settings }: Keeping, locked: Uint32Array = new Uint32Array()) {
-  const all = new Uint32Array(locked.length + points.length);
+/**
+ * What the core is to keep: what the surface itself needs, and what the command line adds. Throws a Fault for a point that
+ * the surface has not.
+ */
+export function settingsOf(
+  { points, region, ...settings }: Keeping,
+  { path, mesh, locked = new Uint32Array() }: OpenedSurface,
+) {
+  const added = lockedPoints(points, path, mesh.position.length / 3);
+  const all = new Uint32Array(locked.length + added.length);
   all.set(locked);
-  all.set(points, locked.length);
+  all.set(added, locked.length);
   return { ...settings, locked: all };
+}
+
+function lockedPoints(ranges: readonly PointRange[], path: string, count: number): number[] {
+  try {
+    return pointsOf(ranges, count);
+  } catch (error) {
+    throw new Fault(`${path}: ${messageOf(error)}`);
+  }
+}
+
+/** A sentence for each box that meets no triangle, so that it locks nothing. */
+export function unmetBoxNotes(boxes: readonly Box[], unmet: readonly number[]): string[] {
+  return unmet.map((index) => `--lock-box=${boxText(boxes[index])} meets no triangle: nothing stays because of it.`);
 }
 
 /**

@@ -1,6 +1,6 @@
 import type { ReportOptions } from '../session/report-json.ts';
 import { oneOf, parseArguments } from './arguments.ts';
-import { type Bounds, boundOf, parseBounds } from './bound-arguments.ts';
+import { type Bounds, parseBounds } from './bound-arguments.ts';
 import { UsageFault } from './fault.ts';
 import { type Keeping, parseBox, parseFocus, parseLabel, parsePoints } from './keeping-arguments.ts';
 import { levelPaths, parseLevels } from './level-arguments.ts';
@@ -93,20 +93,6 @@ export interface Request {
   quiet: boolean;
 }
 
-/**
- * Throws a UsageFault for an option that goes by the bound of position where that is free; of levels the bounds of the
- * first one count, since from level to level none falls.
- */
-function requirePositionBound(
-  bounds: Bounds,
-  asked: { 'limit-to-feature-size': boolean; 'drop-small': boolean },
-): void {
-  if (boundOf(bounds, 'position') !== 'free') return;
-  const needed = 'needs a bound of position, which is free here: --bound position=1% gives one.';
-  if (asked['limit-to-feature-size']) throw new UsageFault(`--limit-to-feature-size ${needed}`);
-  if (asked['drop-small']) throw new UsageFault(`--drop-small ${needed}`);
-}
-
 /** Throws a UsageFault for what is missing, unknown or does not go together. */
 export function parseRequest(args: string[]): Request {
   const { values, positionals } = parseArguments(args, signature);
@@ -120,13 +106,12 @@ export function parseRequest(args: string[]): Request {
   const cost = oneOf('--cost', values.cost, ['max', 'introduced']);
   const levels = values.levels === undefined ? undefined : parseLevels(values.levels, values.bound);
   const bounds = levels?.[0] ?? parseBounds(values.bound);
-  requirePositionBound(bounds, values);
   for (const path of [values.output, values.map]) if (path) outputFormat(path);
   const keeping = {
     region: values.region,
     focus: parseFocus(values.focus),
     dropSmallParts: values['drop-small'],
-    points: Uint32Array.from(values['lock-points'].flatMap(parsePoints)),
+    points: values['lock-points'].flatMap(parsePoints),
     lockedRegions: Int32Array.from(values['lock-region'].map(parseLabel)),
     lockedBoxes: values['lock-box'].map(parseBox),
   };

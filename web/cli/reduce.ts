@@ -18,7 +18,7 @@ import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
 import { Fault, faultOf } from './fault.ts';
 import { interruptible } from './interruption.ts';
-import { requireFocus, settingsOf, withRegions } from './keeping-arguments.ts';
+import { requireFocus, settingsOf, unmetBoxNotes, withRegions } from './keeping-arguments.ts';
 import { levelsJson, levelsText } from './level-report.ts';
 import { sayNotes } from './notes.ts';
 import { ProgressBar } from './progress-bar.ts';
@@ -26,7 +26,6 @@ import { help, parseRequest, type Request } from './reduce-arguments.ts';
 import { freeNotes, reportText } from './report.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
-import { unmetBoxNotes } from './unmet-boxes.ts';
 import { type FileNotes, writeLevelFiles } from './write-level-files.ts';
 
 async function openInput({ input, variables: csv, exclude, options, keeping, map }: Request): Promise<OpenedSurface> {
@@ -48,7 +47,7 @@ function requireMapNames({ path, mesh }: OpenedSurface): void {
 
 /** Calls the core as the command line asks for, and shows the progress. */
 async function callCore<Result>(
-  { path, locked }: OpenedSurface,
+  surface: OpenedSurface,
   { options, keeping, quiet }: Request,
   signal: AbortSignal,
   call: (settings: Omit<ReduceOptions, 'bounds'>) => Promise<Result>,
@@ -60,12 +59,12 @@ async function callCore<Result>(
       cost: options.cost === 'max' ? 'maximum' : 'introduced',
       refusePiercing: options.refusePiercing,
       limitToFeatureSize: options.limitToFeatureSize,
-      ...settingsOf(keeping, locked),
+      ...settingsOf(keeping, surface),
       signal,
       onProgress: (progress) => bar?.show(progress),
     });
   } catch (error) {
-    throw faultOf(path, error);
+    throw faultOf(surface.path, error);
   } finally {
     bar?.clear();
   }
@@ -143,14 +142,14 @@ async function run(args: string[]): Promise<number> {
     if (options.cost === 'max' && options.errors === 'tracked') {
       console.error('--cost has an effect with --errors propagated only.');
     }
-    const { oddities, dropped, featureSize } = outcome.report;
+    const { oddities, dropped, featureSize, unmetBoxes } = outcome.report;
     const free = freeNotes(unnamed(options.bounds, surface.mesh));
     sayNotes(surface.path, [
       ...surface.notes,
       ...oddityNotes(oddities),
       ...droppedNotes(dropped),
       ...featureNotes(featureSize),
-      ...unmetBoxNotes(surface.mesh, options.lockBoxes),
+      ...unmetBoxNotes(options.lockBoxes, unmetBoxes),
       ...free,
     ]);
     for (const [path, losses] of outcome.notes) sayNotes(path, losses);

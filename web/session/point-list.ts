@@ -34,6 +34,6 @@ export function pointsOf(ranges: readonly PointRange[], count: number): number[]
   return ranges.flatMap(writtenOut);
 }
 
-export function writtenOut([first, last]: PointRange): number[] {
+function writtenOut([first, last]: PointRange): number[] {
   return Array.from({ length: last - first + 1 }, (_, i) => first + i);
 }
