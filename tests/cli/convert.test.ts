@@ -2,6 +2,7 @@ import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { gunzipSync } from 'node:zlib';
 import { NodeIO } from '@gltf-transform/core';
 import { beforeAll, expect, test } from 'vitest';
+import { writeSurface } from '../../web/formats/write.ts';
 import { Folder } from './command.ts';
 import { engine } from './engine.ts';
 
@@ -16,6 +17,27 @@ test.each(['vtk', 'ply', 'vtp'])('to .%s keeps every number, name and precision'
   const { format, mesh: there } = await folder.read(`out.${ending}`);
   expect(format).toBe(ending);
   expect(there).toEqual(mesh);
+});
+
+test('cell data of whole numbers go along where the format has a place for them, all arrays of them', async () => {
+  const triangles = mesh.triangles.length / 3;
+  const cellData = new Map([
+    ['part', Int32Array.from({ length: triangles }, (_, triangle) => triangle % 5)],
+    ['material id', Int32Array.from({ length: triangles }, (_, triangle) => -triangle)],
+  ]);
+  folder.write('parted.vtp', await writeSurface('vtp', mesh, { cellData }));
+  for (const [from, to] of [
+    ['parted.vtp', 'out.vtk'],
+    ['out.vtk', 'out.ply'],
+    ['out.ply', 'out.vtp'],
+  ]) {
+    expect(await folder.run('convert', from, to)).toMatchObject({ status: 0, stderr: '' });
+    expect((await folder.read(to)).regions).toEqual(cellData);
+  }
+  const { status, stderr } = await folder.run('convert', 'parted.vtp', 'out.obj', '--exclude', 'pressure');
+  expect(status).toBe(0);
+  expect(stderr).toContain('out.obj: OBJ has no place for the cell data “part”, “material id”.');
+  expect(stderr).not.toContain('Not carried');
 });
 
 test('.gz behind an ending packs the file', async () => {

@@ -454,8 +454,6 @@ test('cell data part the surface into regions, which keep their borders and thei
     expect(await folder.run('reduce', name, '-o', 'again.vtp', ...args)).toMatchObject({ status: 0, stderr: '' });
     expect((await folder.read('map.vtp')).regions).toEqual(new Map([['regions', labels]]));
   }
-  const converted = await folder.run('convert', 'regions.vtp', 'converted.vtp');
-  expect(converted.stderr).toContain('Not carried: cell data “regions”.');
   const missing = await run('--region', 'part');
   expect(missing.stderr).toContain(
     'there is no cell data “part” to part it into regions; those of whole numbers are “regions”.',

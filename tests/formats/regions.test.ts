@@ -132,4 +132,8 @@ it('a format without a place for labels of triangles says so', async () => {
   for (const format of ['vtp', 'vtk', 'ply'] as const) expect(await lossesOf(format, mesh)).toEqual([]);
   expect(await lossesOf('obj', mesh)).toEqual(['OBJ has no place for the regions.']);
   expect((await lossesOf('glb', mesh)).join()).toContain('has no place for the regions.');
+  const cellData = new Map([['part', Int32Array.of(1, 2, 3)]]);
+  for (const format of ['vtp', 'vtk', 'ply'] as const)
+    expect(await lossesOf(format, smallMesh(), { cellData })).toEqual([]);
+  expect(await lossesOf('obj', smallMesh(), { cellData })).toEqual(['OBJ has no place for the cell data “part”.']);
 });

@@ -94,6 +94,18 @@ describe.each(ways)('%s', (_, format, options) => {
     },
   );
 
+  it('gives several arrays of labels back, beside the regions', async () => {
+    const regions = Int32Array.of(7, 8, 9);
+    const cellData = new Map([
+      ['part id', Int32Array.of(-1, 0, 1)],
+      ['part_id', Int32Array.of(2 ** 31 - 1, 4, -(2 ** 31) + 1)],
+    ]);
+    const mesh = { ...smallMesh(mixedVariables()), regions };
+    const back = await readSurface('', await writeSurface(format, mesh, { ...options, cellData }));
+    expect(fingerprint(back.mesh)).toEqual(fingerprint(mesh));
+    expect(back.regions).toEqual(new Map([['regions', regions], ...cellData]));
+  });
+
   it('gives any mesh back bit for bit', async () => {
     const property = fc.asyncProperty(meshes, async (mesh) => {
       const back = await readSurface('', await writeSurface(format, mesh, options));

@@ -3,11 +3,13 @@ import type { Command } from './command.ts';
 import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
 import { interruptible } from './interruption.ts';
+import { withoutRegionNotes } from './keeping-arguments.ts';
 import { sayNotes } from './notes.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, openSurface, outputFormat } from './surface-files.ts';
 
-const help = `Writes a surface in another format, with every variable that the format holds.
+const help = `Writes a surface in another format, with every variable that the format holds and
+cell data of whole numbers.
 
 Usage: meshbound convert IN OUT
 
@@ -40,13 +42,13 @@ async function run(args: string[]): Promise<number> {
   const surface = without(values.exclude, await openSurface(input, values.variables));
   const losses = await interruptible((signal) =>
     StagedFiles.complete(signal, async (files) => {
-      const { bytes, losses } = await encodeSurface(output, surface.mesh, surface);
+      const { bytes, losses } = await encodeSurface(output, surface.mesh, { ...surface, cellData: surface.regions });
       await files.write(output, bytes);
       return losses;
     }),
   );
   if (!values.quiet) {
-    sayNotes(input, surface.notes);
+    sayNotes(input, withoutRegionNotes(surface));
     sayNotes(output, losses);
   }
   return exitStatus.done;

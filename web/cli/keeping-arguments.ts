@@ -107,7 +107,8 @@ export function withRegions<Labelled extends OpenedSurface>({ region }: Keeping,
   throw new Fault(`${surface.path}: there is no cell data ${quoted(region)} to part it into regions; ${known}.`);
 }
 
-function withoutRegionNotes({ notes, regions }: OpenedSurface): string[] {
+/** The notes of a reader but for what it says of cell data that could be regions. */
+export function withoutRegionNotes({ notes, regions }: OpenedSurface): string[] {
   const neutral = regionNotes(regions);
   return notes.filter((note) => !neutral.includes(note));
 }

@@ -3,7 +3,7 @@ import { basename, dirname, join } from 'node:path';
 import type { Mesh } from '../../wasm/types.ts';
 import { formatByEnding, formatNames } from '../formats/format-names.ts';
 import { addVariables, readSurface, type SurfaceFile } from '../formats/read.ts';
-import type { Format, Labels } from '../formats/surface.ts';
+import type { Format, Labels, WriteOptions } from '../formats/surface.ts';
 import { lossesOf, writeSurface } from '../formats/write.ts';
 import { Fault, faultOf, UsageFault } from './fault.ts';
 
@@ -51,13 +51,13 @@ export function outputFormat(path: string): Format {
 export function encodeSurface(
   path: string,
   mesh: Mesh,
-  { units, componentNames, regionName }: Labels & { regionName?: string },
+  { units, componentNames, regionName, cellData }: Labels & Pick<WriteOptions, 'regionName' | 'cellData'>,
 ): Promise<{ bytes: Uint8Array; losses: string[] }> {
   const format = outputFormat(path);
   const gzip = /\.gz$/i.test(path);
   return named(path, async () => ({
-    bytes: await writeSurface(format, mesh, { units, componentNames, gzip, regionName }),
-    losses: await lossesOf(format, mesh, { units, componentNames }),
+    bytes: await writeSurface(format, mesh, { units, componentNames, gzip, regionName, cellData }),
+    losses: await lossesOf(format, mesh, { units, componentNames, cellData }),
   }));
 }
 

@@ -36,6 +36,8 @@ export type Beside = (path: string) => Promise<Uint8Array>;
 export interface WriteOptions extends Partial<Labels> {
   /** What the array of the mesh's regions is called. Default: regions. */
   regionName?: string;
+  /** More labels of the triangles, by the names of their arrays. */
+  cellData?: CellLabels['regions'];
   /** Packed by gzip, for a name that ends in .gz. Default: no. */
   gzip?: boolean;
   /** PLY only. Default: binary little endian. */

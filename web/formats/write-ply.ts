@@ -1,5 +1,6 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
+import { labelArrays } from './label-arrays.ts';
 import { groupProperties, type PlyVariable, propertyNames } from './ply-variables.ts';
 import type { WriteOptions } from './surface.ts';
 
@@ -15,7 +16,15 @@ interface Column {
 }
 
 const columnSizes = { float: 4, double: 8, uchar: 1 };
-/** A face: one byte that says three, and three indices; behind them the label of its region, where there are any. */
+/** Labels of the faces: a property of theirs. */
+interface LabelColumn {
+  /** Of the array, and of the property. */
+  name: string;
+  property: string;
+  labels: Int32Array;
+}
+
+/** A face: one byte that says three, and three indices; behind them its labels, where there are any. */
 const faceSize = 1 + 3 * 4;
 const labelSize = 4;
 
@@ -28,9 +37,10 @@ export function writePly(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   const encoding = options.encoding ?? 'binary_little_endian';
   const groups = nameProperties(mesh.variables);
   const columns = vertexColumns(mesh, groups);
-  const header = headerText(mesh, groups, columns, encoding, options);
-  if (encoding === 'ascii') return new TextEncoder().encode(header + asciiBody(mesh, columns));
-  return binaryFile(new TextEncoder().encode(header), mesh, columns, encoding === 'binary_little_endian');
+  const labels = labelColumns(mesh, options);
+  const header = headerText(mesh, groups, columns, labels, encoding, options);
+  if (encoding === 'ascii') return new TextEncoder().encode(header + asciiBody(mesh, columns, labels));
+  return binaryFile(new TextEncoder().encode(header), mesh, columns, labels, encoding === 'binary_little_endian');
 }
 
 function nameProperties(variables: Variable[]): PlyVariable[] {
@@ -77,6 +87,7 @@ function headerText(
   mesh: Mesh,
   groups: PlyVariable[],
   columns: Column[],
+  labels: LabelColumn[],
   encoding: string,
   options: WriteOptions,
 ): string {
@@ -85,11 +96,12 @@ function headerText(
   if (vertices > 2 ** 31)
     throw new FormatError('too_large', 'PLY indices are 32-bit; the mesh has more points than that.');
   const lines = ['ply', `format ${encoding} 1.0`, 'comment written by Meshbound', ...commentLines(groups, options)];
-  if (mesh.regions) lines.push(...labelComments(options));
+  for (const { name, property } of labels)
+    if (property !== name) lines.push(`comment regions ${JSON.stringify(name)} ${property}`);
   lines.push(`element vertex ${vertices}`);
   for (const { type, name } of columns) lines.push(`property ${type} ${name}`);
-  const label = mesh.regions ? [`property int ${labelProperty(options)}`] : [];
-  lines.push(`element face ${mesh.triangles.length / 3}`, 'property list uchar int vertex_indices', ...label);
+  lines.push(`element face ${mesh.triangles.length / 3}`, 'property list uchar int vertex_indices');
+  for (const { property } of labels) lines.push(`property int ${property}`);
   lines.push('end_header', '');
   return lines.join('\n');
 }
@@ -111,34 +123,26 @@ function commentLines(groups: PlyVariable[], { units = {}, componentNames = {} }
   return lines;
 }
 
-/** What the faces' property is called that holds the labels; not as the list of the corners. */
-function labelProperty({ regionName = 'regions' }: WriteOptions): string {
-  return unique(wordOf(regionName), new Set(['vertex_indices', 'vertex_index']));
-}
-
-function labelComments(options: WriteOptions): string[] {
-  const { regionName = 'regions' } = options;
-  const property = labelProperty(options);
-  return property === regionName ? [] : [`comment regions ${JSON.stringify(regionName)} ${property}`];
+/** None is called as the list of the corners may be. */
+function labelColumns(mesh: Mesh, options: WriteOptions): LabelColumn[] {
+  const used = new Set(['vertex_indices', 'vertex_index']);
+  return labelArrays(mesh, options).map(([name, labels]) => ({ name, property: unique(wordOf(name), used), labels }));
 }
 
 function oneLine(text: string): string {
   return text.replace(/\s+/g, ' ').trim();
 }
 
-function asciiBody(mesh: Mesh, columns: Column[]): string {
+function asciiBody(mesh: Mesh, columns: Column[], labels: LabelColumn[]): string {
   const lines: string[] = [];
   for (let vertex = 0; vertex < mesh.position.length / 3; vertex++) {
     lines.push(columns.map(({ values, step, offset }) => asciiNumber(values[vertex * step + offset])).join(' '));
   }
-  for (let at = 0; at < mesh.triangles.length; at += 3)
-    lines.push(['3', ...mesh.triangles.subarray(at, at + 3), ...labelOf(mesh, at / 3)].join(' '));
+  for (let at = 0; at < mesh.triangles.length; at += 3) {
+    const labelsHere = labels.map((column) => column.labels[at / 3]);
+    lines.push(['3', ...mesh.triangles.subarray(at, at + 3), ...labelsHere].join(' '));
+  }
   return `${lines.join('\n')}\n`;
-}
-
-/** The label of a triangle, or none. */
-function labelOf({ regions }: Mesh, triangle: number): Int32Array {
-  return regions ? regions.subarray(triangle, triangle + 1) : new Int32Array();
 }
 
 /** The shortest digits that give the number back; JavaScript's own drop the sign of −0 and C reads nan and inf. */
@@ -148,10 +152,16 @@ function asciiNumber(value: number): string {
   return Object.is(value, -0) ? '-0' : String(value);
 }
 
-function binaryFile(header: Uint8Array, mesh: Mesh, columns: Column[], littleEndian: boolean): Uint8Array {
+function binaryFile(
+  header: Uint8Array,
+  mesh: Mesh,
+  columns: Column[],
+  labels: LabelColumn[],
+  littleEndian: boolean,
+): Uint8Array {
   const vertices = mesh.position.length / 3;
   const vertexSize = columns.reduce((sum, { type }) => sum + columnSizes[type], 0);
-  const rowSize = mesh.regions ? faceSize + labelSize : faceSize;
+  const rowSize = faceSize + labelSize * labels.length;
   const file = new Uint8Array(header.length + vertices * vertexSize + (mesh.triangles.length / 3) * rowSize);
   file.set(header);
   const view = new DataView(file.buffer);
@@ -160,7 +170,7 @@ function binaryFile(header: Uint8Array, mesh: Mesh, columns: Column[], littleEnd
     writeColumn(view, start, vertexSize, column, littleEndian);
     start += columnSizes[column.type];
   }
-  writeFaces(view, header.length + vertices * vertexSize, mesh, littleEndian);
+  writeFaces(view, header.length + vertices * vertexSize, mesh, labels, littleEndian);
   return file;
 }
 
@@ -175,14 +185,21 @@ function writeColumn(view: DataView, start: number, vertexSize: number, column: 
   }
 }
 
-function writeFaces(view: DataView, start: number, { triangles, regions }: Mesh, littleEndian: boolean): void {
+function writeFaces(
+  view: DataView,
+  start: number,
+  { triangles }: Mesh,
+  columns: LabelColumn[],
+  littleEndian: boolean,
+): void {
   let at = start;
   for (let i = 0; i < triangles.length; i += 3) {
     view.setUint8(at, 3);
     for (let corner = 0; corner < 3; corner++) view.setInt32(at + 1 + 4 * corner, triangles[i + corner], littleEndian);
     at += faceSize;
-    if (!regions) continue;
-    view.setInt32(at, regions[i / 3], littleEndian);
-    at += labelSize;
+    for (const { labels } of columns) {
+      view.setInt32(at, labels[i / 3], littleEndian);
+      at += labelSize;
+    }
   }
 }

@@ -1,4 +1,5 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
+import { labelArrays } from './label-arrays.ts';
 import { encodeName } from './legacy-vtk-text.ts';
 import type { WriteOptions } from './surface.ts';
 
@@ -33,10 +34,12 @@ export function writeVtk(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
 }
 
 /** Labels of the triangles, as cell data. */
-function labelChunks({ regions }: Mesh, { regionName = 'regions' }: WriteOptions): Chunk[] {
-  if (!regions) return [];
-  const head = `\nCELL_DATA ${regions.length}\nFIELD FieldData 1\n`;
-  return [`${head}${encodeName(regionName)} 1 ${regions.length} int\n`, regions];
+function labelChunks(mesh: Mesh, options: WriteOptions): Chunk[] {
+  const arrays = labelArrays(mesh, options);
+  if (arrays.length === 0) return [];
+  const triangles = mesh.triangles.length / cornerCount;
+  const chunks = arrays.flatMap(([name, labels]) => [`\n${encodeName(name)} 1 ${triangles} int\n`, labels]);
+  return [`\nCELL_DATA ${triangles}\nFIELD FieldData ${arrays.length}`, ...chunks];
 }
 
 type Chunk = string | Float32Array | Float64Array | Int32Array;

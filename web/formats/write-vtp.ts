@@ -1,5 +1,6 @@
 import type { Mesh } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
+import { labelArrays } from './label-arrays.ts';
 import type { WriteOptions } from './surface.ts';
 import { quoted } from './wording.ts';
 
@@ -20,10 +21,10 @@ export function writeVtp(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   const corners = Int32Array.from(mesh.triangles);
   const ends = Int32Array.from({ length: corners.length / 3 }, (_, triangle) => 3 * (triangle + 1));
   const position = { name: 'position', components: 3, values: mesh.position };
-  const labels = mesh.regions && { name: options.regionName ?? 'regions', components: 1, values: mesh.regions };
+  const labels = labelArrays(mesh, options).map(([name, values]) => ({ name, components: 1, values }));
   const arrays: FileArray[] = [
     ...mesh.variables,
-    ...(labels ? [labels] : []),
+    ...labels,
     position,
     { name: 'connectivity', components: 1, values: corners },
     { name: 'offsets', components: 1, values: ends },

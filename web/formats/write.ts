@@ -80,13 +80,16 @@ function requirePlace(format: Format, mesh: Mesh, { lost, single, nameless }: Wr
 }
 
 /** What a file of this format will not hold of the mesh and its labels, a sentence each; nothing for PLY, VTP and legacy VTK. */
-export async function lossesOf(format: Format, mesh: Mesh, labels: Partial<Labels> = {}): Promise<string[]> {
+export async function lossesOf(format: Format, mesh: Mesh, labels: LabelNames = {}): Promise<string[]> {
   const { lost, single, labels: holdsLabels, regions: holdsRegions } = await writers[format]();
   const sentences: string[] = [];
   const names = lost(mesh).map(({ name }) => name);
   if (names.length > 0) sentences.push(`${formatNames[format]} has no place for the variables ${listed(names)}.`);
   const kept = keptVariables(mesh, lost(mesh));
   if (mesh.regions && !holdsRegions) sentences.push(`${formatNames[format]} has no place for the regions.`);
+  const cellData = [...(labels.cellData?.keys() ?? [])];
+  if (cellData.length > 0 && !holdsRegions)
+    sentences.push(`${formatNames[format]} has no place for the cell data ${listed(cellData)}.`);
   if (!holdsLabels) sentences.push(...labelLosses(format, kept, labels));
   const doubles = kept.filter(({ values }) => values instanceof Float64Array);
   if (single && doubles.length > 0) {
@@ -95,6 +98,9 @@ export async function lossesOf(format: Format, mesh: Mesh, labels: Partial<Label
   }
   return sentences;
 }
+
+/** What there is of a mesh beside its values. */
+type LabelNames = Pick<WriteOptions, 'units' | 'componentNames' | 'cellData'>;
 
 function labelLosses(format: Format, kept: Variable[], { units = {}, componentNames = {} }: Partial<Labels>): string[] {
   const kinds: [noun: string, labels: Record<string, unknown>][] = [
