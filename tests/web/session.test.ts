@@ -328,6 +328,23 @@ describe('what is kept', () => {
     expect(session.state.progress).toBeNull();
     expect(session.state.notices.at(-1)).toMatchObject({ kind: 'error', code: 'unknown_regions', ofReduction: true });
   });
+
+  test('takes the notice about cell data away once some of them part the surface into regions', async () => {
+    const regions = new Map(['material', 'part'].map((name) => [name, Int32Array.of(1)]));
+    const { session } = setUp({ read: async () => ({ ...fileWith(meshWith('pressure')), regions }) });
+    await session.openFile(file('a.vtp'));
+    const notice = (names: string) => expect.stringContaining(`Cell data ${names} can part the surface into regions`);
+    expect(texts(session)).toContainEqual(notice('“material”, “part”'));
+    const others = texts(session).length - 1;
+    session.setKeeping({ ...nothingKept, lockRegions: [1] });
+    expect(texts(session)).toContainEqual(notice('“material”, “part”'));
+    session.setKeeping({ ...nothingKept, regions: 'material' });
+    expect(texts(session)).not.toContainEqual(expect.stringContaining('Cell data'));
+    expect(texts(session)).toHaveLength(others);
+    // Of the next file it names what is not chosen.
+    await session.openFile(file('b.vtp'));
+    expect(texts(session)).toContainEqual(notice('“part”'));
+  });
 });
 
 describe('cancelling', () => {

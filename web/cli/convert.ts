@@ -1,9 +1,9 @@
+import { withoutRegionNotes } from '../formats/region-notes.ts';
 import { parseArguments } from './arguments.ts';
 import type { Command } from './command.ts';
 import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
 import { interruptible } from './interruption.ts';
-import { withoutRegionNotes } from './keeping-arguments.ts';
 import { sayNotes } from './notes.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, openSurface, outputFormat } from './surface-files.ts';
@@ -48,7 +48,7 @@ async function run(args: string[]): Promise<number> {
     }),
   );
   if (!values.quiet) {
-    sayNotes(input, withoutRegionNotes(surface));
+    sayNotes(input, withoutRegionNotes(surface.notes, surface.regions));
     sayNotes(output, losses);
   }
   return exitStatus.done;

@@ -1,5 +1,5 @@
 import type { Box } from '../../wasm/index.ts';
-import { regionNotes } from '../formats/region-notes.ts';
+import { withoutRegionNotes } from '../formats/region-notes.ts';
 import { listed, quoted } from '../formats/wording.ts';
 import { boxText, readBox } from '../session/box-text.ts';
 import { messageOf } from '../session/failure.ts';
@@ -93,7 +93,10 @@ export function unmetBoxNotes(boxes: readonly Box[], unmet: readonly number[]): 
  */
 export function withRegions<Labelled extends OpenedSurface>({ region }: Keeping, surface: Labelled): Labelled {
   const names = [...(surface.regions?.keys() ?? [])];
-  const notes = [...withoutRegionNotes(surface), ...unusedNotes(names.filter((name) => name !== region))];
+  const notes = [
+    ...withoutRegionNotes(surface.notes, surface.regions),
+    ...unusedNotes(names.filter((name) => name !== region)),
+  ];
   if (region === undefined) return { ...surface, notes };
   const regions = surface.regions?.get(region);
   if (regions) return { ...surface, mesh: { ...surface.mesh, regions }, regionName: region, notes };
@@ -105,12 +108,6 @@ export function withRegions<Labelled extends OpenedSurface>({ region }: Keeping,
   }
   const known = names.length > 0 ? `those of whole numbers are ${listed(names)}` : 'it has none of whole numbers';
   throw new Fault(`${surface.path}: there is no cell data ${quoted(region)} to part it into regions; ${known}.`);
-}
-
-/** The notes of a reader but for what it says of cell data that could be regions. */
-export function withoutRegionNotes({ notes, regions }: OpenedSurface): string[] {
-  const neutral = regionNotes(regions);
-  return notes.filter((note) => !neutral.includes(note));
 }
 
 function unusedNotes(names: string[]): string[] {

@@ -1,5 +1,5 @@
 import { type NamedFile, readTogether } from '../formats/read-together.ts';
-import { choosableRegionNotes } from '../formats/region-notes.ts';
+import { withoutRegionNotes } from '../formats/region-notes.ts';
 import { codeOf, messageOf } from './failure.ts';
 import type { OpenedFile, ReadAnswer } from './read.ts';
 
@@ -17,7 +17,7 @@ addEventListener('message', async ({ data }: MessageEvent<Files>) => {
       mesh,
       locked,
       regions,
-      notes: choosableRegionNotes(notes, regions),
+      notes: withoutRegionNotes(notes, regions),
       labels: { units, componentNames },
     };
     postMessage({ file } satisfies ReadAnswer, { transfer: buffersOf(file) });

@@ -1,5 +1,6 @@
 import type { Inspection, Mesh, VariableExtent } from '../../wasm/index.ts';
 import type { NamedFile } from '../formats/read-together.ts';
+import { choosableRegionNotes } from '../formats/region-notes.ts';
 import type { Labels } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import type { Multiplied } from '../probe/multiplied.ts';
@@ -71,6 +72,8 @@ export interface Notice {
   lasting?: boolean;
   /** It is about the last reduction, and goes when the next one starts. */
   ofReduction?: boolean;
+  /** It tells of what can part the surface into regions, and goes when that is chosen. */
+  ofRegions?: boolean;
   /** A way out that the user may take. */
   remedy?: { label: string; take: () => void };
 }
@@ -206,8 +209,10 @@ export class Session extends EventTarget {
 
   /** What of the surface is to be kept from now on. A surface that is being opened takes it into account. */
   setKeeping(keeping: Keeping): void {
-    if (sameKeeping(keeping, this.#state.keeping)) return;
-    this.#update({ keeping });
+    const { keeping: before, surface, notices } = this.#state;
+    if (sameKeeping(keeping, before)) return;
+    const isParted = surface?.regions?.has(keeping.regions ?? '');
+    this.#update({ keeping, notices: notices.filter(({ ofRegions }) => !(ofRegions && isParted)) });
     if (!this.#state.opening) this.reduceAgain();
   }
 
@@ -315,6 +320,8 @@ export class Session extends EventTarget {
       reduced: null,
     });
     for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
+    const choosable = choosableRegionNotes(regions, this.#state.keeping.regions);
+    for (const text of choosable) this.#notify({ kind: 'note', text, ofRegions: true });
     void this.#reduce();
   }
 
