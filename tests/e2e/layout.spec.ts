@@ -23,6 +23,29 @@ async function watchParts(page: Page): Promise<void> {
   });
 }
 
+test('on a narrow page a promise of more lines than there is room for can be read whole', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await openPage(page);
+  const sentence = page.locator('.sentence');
+  const isCut = () => sentence.evaluate(({ scrollHeight, clientHeight }) => scrollHeight > clientHeight);
+  const whole = page.getByRole('button', { name: 'Show all' });
+  await page.locator('summary', { hasText: 'Finer bounds' }).click();
+  await page.getByLabel('Finer near a place').check();
+  await expect(sentence).toContainText('the multiplier there');
+  await expect.poll(isCut).toBe(true);
+  await whole.focus();
+  await page.keyboard.press('Enter');
+  await expect.poll(isCut).toBe(false);
+  await expect(sentence).toBeInViewport({ ratio: 1 });
+  const less = page.getByRole('button', { name: 'Show less' });
+  await expect(less).toBeFocused();
+  await less.click();
+  await expect.poll(isCut).toBe(true);
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await expect.poll(isCut).toBe(false);
+  await expect(whole).toHaveCount(0);
+});
+
 for (const [width, height] of [
   [320, 640],
   [800, 900],

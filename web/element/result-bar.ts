@@ -24,6 +24,8 @@ export class ResultBar extends LitElement {
     opening: { attribute: false },
     progress: { attribute: false },
     cancelled: { type: Boolean },
+    cut: { state: true },
+    whole: { state: true },
   };
 
   static override styles = [
@@ -39,11 +41,36 @@ export class ResultBar extends LitElement {
         min-height: calc(2 * 1.4em + 17px);
         padding: 8px 16px;
       }
-      .sentence {
+      .said {
+        position: relative;
         flex: 1 1 320px;
-        max-height: var(--sentence-height, none);
-        overflow-y: auto;
+      }
+      .sentence {
+        display: -webkit-box;
+        -webkit-box-orient: vertical;
+        -webkit-line-clamp: var(--sentence-lines, none);
+        overflow: hidden;
         overflow-wrap: anywhere;
+      }
+      .whole .sentence {
+        display: block;
+        max-height: 50dvh;
+        overflow-y: auto;
+      }
+      /* At the end of the last line that is to be seen, over what would go on there. */
+      .more {
+        position: absolute;
+        right: 0;
+        bottom: calc(0.7em - 12px);
+        min-height: 24px;
+        padding: 0 0 0 2em;
+        text-decoration: underline;
+        background: linear-gradient(to right, transparent, var(--panel) 1.5em) center / 100% 1.4em no-repeat;
+        border: none;
+      }
+      .whole .more {
+        position: static;
+        padding: 0;
       }
       /* It is of earlier bounds while another reduction runs; most are over before anyone could see that. */
       .sentence.provisional {
@@ -80,8 +107,12 @@ export class ResultBar extends LitElement {
   declare progress: number | null;
   /** The last reduction was cancelled. */
   declare cancelled: boolean;
+  /** The sentence has more lines than it may (--sentence-lines). @internal */
+  declare cut: boolean;
+  /** It is to be seen whole nevertheless. @internal */
+  declare whole: boolean;
 
-  #resizes = new ResizeObserver(() => this.#focusIfScrolling());
+  #resizes = new ResizeObserver(() => this.#measureSentence());
 
   constructor() {
     super();
@@ -91,13 +122,18 @@ export class ResultBar extends LitElement {
     this.opening = null;
     this.progress = null;
     this.cancelled = false;
+    this.cut = false;
+    this.whole = false;
   }
 
   override render() {
     return html`
-      <p part="sentence" class="sentence ${this.progress === null ? '' : 'provisional'}" role="status">
-        ${this.report ? promiseSentence(this.report, this.measured, this.multiplied) : ''}
-      </p>
+      <div class="said ${this.whole ? 'whole' : ''}">
+        <p part="sentence" class="sentence ${this.progress === null ? '' : 'provisional'}" role="status">
+          ${this.report ? promiseSentence(this.report, this.measured, this.multiplied) : ''}
+        </p>
+        ${this.cut || this.whole ? this.#moreButton() : nothing}
+      </div>
       <span part="numbers" class="numbers soft">${this.#numbers()}</span>
       <slot></slot>
     `;
@@ -114,15 +150,24 @@ export class ResultBar extends LitElement {
   }
 
   override updated(): void {
-    this.#focusIfScrolling();
+    this.#measureSentence();
   }
 
-  /** A sentence that is longer than its room scrolls, and must be reached from the keyboard then. */
-  #focusIfScrolling(): void {
+  /** One that is longer than its room is cut, or scrolls where it is whole, and must be reached from the keyboard then. */
+  #measureSentence(): void {
     const sentence = this.renderRoot.querySelector<HTMLElement>('.sentence');
     if (!sentence) return;
-    if (sentence.scrollHeight > sentence.clientHeight) sentence.tabIndex = 0;
+    const isLonger = sentence.scrollHeight > sentence.clientHeight;
+    this.cut = isLonger && !this.whole;
+    if (isLonger && this.whole) sentence.tabIndex = 0;
     else sentence.removeAttribute('tabindex');
+  }
+
+  #moreButton() {
+    const { all, less } = english.sentence;
+    return html`<button class="more" aria-expanded=${this.whole} @click=${() => {
+      this.whole = !this.whole;
+    }}>${this.whole ? less : all}</button>`;
   }
 
   #numbers() {

@@ -92,7 +92,7 @@ export class App extends LitElement {
         }
         /* In sight while a bound moves, whatever it says, and nothing moves with it. */
         meshbound-result-bar {
-          --sentence-height: calc(3 * 1.4em);
+          --sentence-lines: 3;
           position: sticky;
           z-index: 1;
           bottom: 0;

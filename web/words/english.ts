@@ -29,6 +29,8 @@ export const english = {
     free: (names: string[]) => `Free, so nothing promised: ${listed(names)}.`,
   },
 
+  sentence: { all: 'Show all', less: 'Show less' },
+
   heldBack: {
     nothing: 'Nothing holds it back.',
     what: 'Why the vertices that are still there could not go',
