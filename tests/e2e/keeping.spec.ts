@@ -140,9 +140,10 @@ test('what meets a box stays as it is, and the box is drawn on the original', as
   await expect(group('Locks and regions').locator('summary')).toContainText('a box');
   await expect.poll(async () => difference(without[0], await pictureOf(page(), 'original'))).toBeGreaterThan(0.001);
 
-  // What is no number is marked, and the box stays.
+  // What is no number is refused, and the box stays.
   await type('Locked from x', '');
   await expect(page().getByLabel('Locked from x')).toHaveAttribute('aria-invalid', 'true');
+  await expect(group('Locks and regions').getByRole('alert')).toHaveText('A number is needed.');
   expect((await savedMesh()).mesh.triangles).toHaveLength(mesh.triangles.length);
   await tick('Lock what meets a box').uncheck();
   await expect.poll(async () => (await counts(page())).after).toBe(free);
@@ -310,8 +311,32 @@ test('bounds are finer near a place that is pinned', async () => {
 
   await page().keyboard.press('Escape');
   await expect(page().getByRole('button', { name: 'At the pinned place' })).toBeDisabled();
-  await type('times', 2);
-  await expect(page().getByLabel('times')).toHaveAttribute('aria-invalid', 'true');
+});
+
+test('what cannot be a focus is refused with a reason, and Escape brings back what holds', async () => {
+  await tick('Finer near a place').check();
+  await type('times', 0.2);
+  await reducedAsAsked();
+  const { after } = await counts(page());
+  for (const [label, text, says] of [
+    ['times', '2', 'The factor must be above zero and at most 1.'],
+    ['times', '0', 'The factor must be above zero and at most 1.'],
+    ['radius', '-1', 'The radius must be above zero.'],
+    ['Place y', '', 'A number is needed.'],
+  ]) {
+    const field = page().getByLabel(label, { exact: true });
+    const held = await field.inputValue();
+    await type(label, text);
+    await expect(group('Finer bounds').getByRole('alert')).toHaveText(says);
+    await expect(field).toHaveAttribute('aria-invalid', 'true');
+    await expect(field).toHaveAccessibleDescription(says);
+    await field.press('Escape');
+    await expect(group('Finer bounds').getByRole('alert')).toHaveCount(0);
+    await expect(field).toHaveAttribute('aria-invalid', 'false');
+    await expect(field).toHaveValue(held);
+  }
+  await expect(group('Finer bounds').locator('summary')).toContainText('× 0.2 near a place');
+  expect((await counts(page())).after).toBe(after);
 });
 
 test('parts smaller than the bound are dropped when asked for, and counted', async () => {
@@ -396,6 +421,8 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await own.getByLabel('Lock what meets a box').check();
     await own.getByLabel('Finer near a place').check();
     await own.getByLabel('Regions from').selectOption('material');
+    await own.getByLabel('times').fill('2');
+    await own.getByLabel('times').press('Enter');
     await settled(own);
     const { violations } = await new AxeBuilder({ page: own }).analyze();
     expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ target }) => target)])).toEqual([]);

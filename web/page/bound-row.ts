@@ -125,8 +125,10 @@ export class BoundRow extends LitElement {
       .text=${percent ? percentNumber(fraction) : String(absolute)}
       .parse=${percent ? parsePercent : parseAmount}
       ?disabled=${free}
-      @number-input=${({ detail }: CustomEvent<number>) =>
-        this.#change(percent ? { fraction: detail, free } : inUnit(detail, this.variable))}
+      @number-input=${({ detail }: CustomEvent<number>) => {
+        this.#change(percent ? { fraction: detail, free } : inUnit(detail, this.variable));
+        settle(this);
+      }}
     ></meshbound-number-field>`;
   }
 

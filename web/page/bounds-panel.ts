@@ -10,6 +10,7 @@ import type { OpenSurface } from '../session/session.ts';
 import './bound-row.ts';
 import './bounds-chart.ts';
 import './error-spread.ts';
+import { settle } from '../element/bound-slider.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import './menu.ts';
 import './method-choice.ts';
@@ -217,7 +218,10 @@ export class BoundsPanel extends LitElement {
           label=${pageEnglish.bounds.largestInPercent}
           .text=${percentNumber(fraction)}
           .parse=${parsePercent}
-          @number-input=${input}
+          @number-input=${(event: CustomEvent<number>) => {
+            input(event);
+            settle(this);
+          }}
         ></meshbound-number-field>
         %
       </span>

@@ -7,12 +7,15 @@ import { spanOf } from '../surface/value-span.ts';
 import { pageEnglish } from '../words/page-english.ts';
 import { choice, tick } from './group-controls.ts';
 import { groupStyle } from './group-style.ts';
-import { numberInput } from './number-input.ts';
+import { numberInput, parseNumber, parseWithin } from './number-input.ts';
 import { placeInSight, proposed } from './proposed-place.ts';
 
 /** Of a focus that is proposed: its radius as a share of the surface's size, and its factor. */
 const proposedRadius = 0.1;
 const proposedFactor = 0.1;
+
+const parseRadius = parseWithin((radius) => radius > 0, pageEnglish.focus.badRadius);
+const parseFactor = parseWithin((factor) => factor > 0 && factor <= 1, pageEnglish.focus.badFactor);
 
 /**
  * What multiplies the bounds, out of the way until it is opened.
@@ -70,16 +73,16 @@ export class FocusChoice extends LitElement {
   #point(focus: FocusPoint) {
     const size = this.#size;
     const place = (axis: number) =>
-      numberInput(pageEnglish.focus.at('xyz'[axis]), focus.point[axis], size, (value) => {
+      numberInput(pageEnglish.focus.at('xyz'[axis]), focus.point[axis], size, parseNumber, (value) => {
         const [x, y, z] = focus.point.map((each, i) => (i === axis ? value : each));
-        return this.#take({ ...focus, point: [x, y, z] });
+        this.#change({ focusPoint: { ...focus, point: [x, y, z] } });
       });
     return html`<div class="places">
         <span class="small">${pageEnglish.focus.place}</span>${[0, 1, 2].map(place)}
         <span class="small">${pageEnglish.focus.radius}</span>
-        ${numberInput(pageEnglish.focus.radius, focus.radius, size / 4, (radius) => this.#take({ ...focus, radius }))}
+        ${numberInput(pageEnglish.focus.radius, focus.radius, size / 4, parseRadius, (radius) => this.#change({ focusPoint: { ...focus, radius } }))}
         <span class="small">${pageEnglish.focus.factor}</span>
-        ${numberInput(pageEnglish.focus.factor, focus.factor, 1, (factor) => this.#take({ ...focus, factor }))}
+        ${numberInput(pageEnglish.focus.factor, focus.factor, 1, parseFactor, (factor) => this.#change({ focusPoint: { ...focus, factor } }))}
       </div>
       <button ?disabled=${!this.pinned} title=${pageEnglish.pin.hint} @click=${() => this.#toPin(focus)}>
         ${pageEnglish.focus.toPin}
@@ -89,13 +92,6 @@ export class FocusChoice extends LitElement {
   #toPin(focus: FocusPoint): void {
     const { point } = this.#proposed();
     this.#change({ focusPoint: { ...focus, point } });
-  }
-
-  #take(focus: FocusPoint): boolean {
-    const { point, radius, factor } = focus;
-    const can = [...point, radius, factor].every(Number.isFinite) && radius > 0 && factor > 0 && factor <= 1;
-    if (can) this.#change({ focusPoint: focus });
-    return can;
   }
 
   /** At what is pinned, or else another place of the surface. */

@@ -32,22 +32,17 @@ export const groupStyle = css`
   .places {
     display: grid;
     grid-template-columns: auto repeat(3, minmax(0, 1fr));
+    /* What is said below a row leaves no hole in it. */
+    grid-auto-flow: row dense;
     gap: 4px 6px;
     align-items: center;
     margin-top: 6px;
   }
-  input[type='number'],
   input[type='text'] {
     width: 100%;
     min-width: 0;
-    min-height: 28px;
     padding: 2px 4px;
     font-size: var(--text-small);
-    /* The arrow keys do what its arrows would, which take the room of the number. */
-    appearance: textfield;
-    background: var(--control);
-    border: 1px solid var(--control-line);
-    border-radius: var(--radius);
   }
   input[aria-invalid='true'] {
     border-color: var(--fault);

@@ -13,7 +13,7 @@ import { pageEnglish } from '../words/page-english.ts';
 import { choice, tick } from './group-controls.ts';
 import { groupStyle } from './group-style.ts';
 import { nearestVertex } from './nearest-vertex.ts';
-import { numberInput } from './number-input.ts';
+import { numberInput, parseNumber } from './number-input.ts';
 import { placeInSight, proposed } from './proposed-place.ts';
 
 const axes = [0, 1, 2] as const;
@@ -129,6 +129,7 @@ export class LockChoice extends LitElement {
           pageEnglish.locks.place(pageEnglish.locks[end], 'xyz'[axis]),
           box[end][axis],
           this.#size(axis),
+          parseNumber,
           (value) => this.#move(box, end, axis, value),
         ),
       )}`;
@@ -204,8 +205,7 @@ export class LockChoice extends LitElement {
   }
 
   /** Where one end would pass the other, that one goes along, and the box keeps its size. */
-  #move({ lowest, highest }: Box, end: 'lowest' | 'highest', axis: number, value: number): boolean {
-    if (!Number.isFinite(value)) return false;
+  #move({ lowest, highest }: Box, end: 'lowest' | 'highest', axis: number, value: number): void {
     const box: Box = { lowest: [...lowest], highest: [...highest] };
     const size = highest[axis] - lowest[axis];
     box[end][axis] = value;
@@ -214,7 +214,6 @@ export class LockChoice extends LitElement {
       box[other][axis] = proposed(end === 'lowest' ? value + size : value - size);
     }
     this.#change({ lockBox: box });
-    return true;
   }
 
   /** Around what is pinned, or else another place of the surface. */

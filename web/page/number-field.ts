@@ -1,10 +1,14 @@
 import { css, html, LitElement, nothing } from 'lit';
-import { settle } from '../element/bound-slider.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import type { Parsed } from '../session/bound-setting.ts';
 
+/** Steps of the arrow keys in a number that can be anything up to `size`: about fifty, of one digit. */
+function stepFor(size: number): number | 'any' {
+  return Number((size / 50).toPrecision(1)) || 'any';
+}
+
 /**
- * A number to type. What cannot be a bound is refused with a reason, and the bound stays as it was.
+ * A number to type. What cannot be is refused with a reason, and the number stays as it was.
  *
  * @fires number-input with the number that the text stands for
  */
@@ -13,6 +17,7 @@ export class NumberField extends LitElement {
     text: {},
     parse: { attribute: false },
     label: {},
+    size: { attribute: false },
     disabled: { type: Boolean },
     fault: { state: true },
   };
@@ -46,6 +51,34 @@ export class NumberField extends LitElement {
         border-radius: var(--radius);
         font-size: var(--text-small);
       }
+      :host([in-grid]) {
+        display: contents;
+      }
+      :host([in-grid]) input {
+        width: 100%;
+        min-width: 0;
+        min-height: 28px;
+        padding: 2px 4px;
+        font-size: var(--text-small);
+        text-align: start;
+        background: var(--control);
+        border: 1px solid var(--control-line);
+        border-radius: var(--radius);
+        /* The arrow keys do what its arrows would, which take the room of the number. */
+        appearance: textfield;
+      }
+      ::-webkit-inner-spin-button {
+        appearance: none;
+      }
+      :host([in-grid]) input[aria-invalid='true'] {
+        border-color: var(--fault);
+      }
+      :host([in-grid]) p {
+        position: static;
+        grid-column: 1 / -1;
+        width: auto;
+        max-width: none;
+      }
     `,
   ];
 
@@ -53,6 +86,8 @@ export class NumberField extends LitElement {
   declare text: string;
   declare parse: (text: string) => Parsed;
   declare label: string;
+  /** How large the number can be, where the arrow keys change it: it sets their steps. */
+  declare size: number | null;
   declare disabled: boolean;
   /** Why the last entry was refused. */
   declare fault: string;
@@ -61,6 +96,7 @@ export class NumberField extends LitElement {
     super();
     this.text = '';
     this.label = '';
+    this.size = null;
     this.disabled = false;
     this.fault = '';
   }
@@ -71,10 +107,12 @@ export class NumberField extends LitElement {
 
   override render() {
     return html`<input
-        type="text"
+        type=${this.size === null ? 'text' : 'number'}
+        step=${this.size === null ? nothing : stepFor(this.size)}
         inputmode="decimal"
         autocomplete="off"
         aria-label=${this.label}
+        title=${this.size === null ? nothing : this.label}
         aria-invalid=${this.fault ? 'true' : 'false'}
         aria-describedby="fault"
         .value=${this.text}
@@ -92,13 +130,12 @@ export class NumberField extends LitElement {
       return;
     }
     this.fault = '';
-    // Also where the bound is what it was, so that nothing draws the field again.
+    // Also where the number is what it was, so that nothing draws the field again.
     input.value = parsed.text;
     this.dispatchEvent(new CustomEvent('number-input', { detail: parsed.value }));
-    settle(this);
   }
 
-  /** Escape goes back to the bound that holds. */
+  /** Escape goes back to the number that holds. */
   #keydown(event: KeyboardEvent): void {
     if (event.key !== 'Escape') return;
     this.fault = '';

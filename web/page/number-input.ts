@@ -1,27 +1,40 @@
 import { html } from 'lit';
-import { live } from 'lit/directives/live.js';
-
-/** Steps of the arrow keys in a number that can be anything up to `size`: about fifty, of one digit. */
-function stepFor(size: number): number | 'any' {
-  return Number((size / 50).toPrecision(1)) || 'any';
-}
+import type { Parsed } from '../session/bound-setting.ts';
+import { pageEnglish } from '../words/page-english.ts';
+import './number-field.ts';
 
 /**
- * A number of any sign, to type or to change by the arrow keys.
+ * A number in a grid, to type or to change by the arrow keys. What cannot be is refused with a reason, below its row.
  *
  * @param size how large such numbers can be: it sets the steps
- * @param take told of a new one; false where it cannot be, which is then marked
  */
-export function numberInput(label: string, value: number, size: number, take: (value: number) => boolean) {
-  return html`<input
-    type="number"
-    aria-label=${label}
-    title=${label}
-    step=${stepFor(size)}
-    .value=${live(String(value))}
-    @change=${({ target }: Event) => {
-      const input = target as HTMLInputElement;
-      input.setAttribute('aria-invalid', String(!take(input.valueAsNumber)));
-    }}
-  />`;
+export function numberInput(
+  label: string,
+  value: number,
+  size: number,
+  parse: (text: string) => Parsed,
+  take: (value: number) => void,
+) {
+  return html`<meshbound-number-field
+    in-grid
+    label=${label}
+    .text=${String(value)}
+    .size=${size}
+    .parse=${parse}
+    @number-input=${({ detail }: CustomEvent<number>) => take(detail)}
+  ></meshbound-number-field>`;
+}
+
+/** Any number. */
+export function parseNumber(text: string): Parsed {
+  const value = text.trim() === '' ? Number.NaN : Number(text);
+  return Number.isFinite(value) ? { value, text: String(value) } : { fault: pageEnglish.numbers.none };
+}
+
+/** A number within a range, or what is said of those that are not. */
+export function parseWithin(isWithin: (value: number) => boolean, fault: string): (text: string) => Parsed {
+  return (text) => {
+    const parsed = parseNumber(text);
+    return 'fault' in parsed || isWithin(parsed.value) ? parsed : { fault };
+  };
 }

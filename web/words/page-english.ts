@@ -163,9 +163,13 @@ export const pageEnglish = {
     radius: 'radius',
     factor: 'times',
     toPin: 'At the pinned place',
+    badRadius: 'The radius must be above zero.',
+    badFactor: 'The factor must be above zero and at most 1.',
     means:
       'At each point of the original every bound is multiplied by f, what stands there: 0.1 makes it ten times finer, 2 twice as loose. Near a place it is the factor within the radius, and rises to 1 at twice the radius. Errors are then compared with the multiplied bounds.',
   },
+
+  numbers: { none: 'A number is needed.' },
 
   keys: {
     title: 'Keys',
