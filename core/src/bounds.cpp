@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
+#include "measured_bounds.hpp"
+#include "number_text.hpp"
 #include "rows.hpp"
 
 namespace meshbound {
 namespace {
-
-/// Six digits, however small or large: std::to_string would make 1e-12 a zero.
-std::string number_text(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
-}
 
 /// Extent (diagonal of the box) and magnitude of a variable; the values of a valid mesh are finite.
 void measure_values(const Variable& variable, ResolvedBound& bound) {
@@ -90,33 +84,54 @@ Status too_far_apart(const Variable& variable, bool is_data) {
             {}};
 }
 
-Status resolve(const Variable& variable, const Bound& given, bool may_be_constant, ResolvedBound& resolved) {
-    resolved.given = given;
+Status measure(const Variable& variable, bool may_be_constant, ResolvedBound& resolved) {
     measure_values(variable, resolved);
     if (!std::isfinite(resolved.extent)) return too_far_apart(variable, may_be_constant);
     resolved.constant = may_be_constant && resolved.extent <= constant_extent * resolved.magnitude;
+    return {};
+}
+
+/// The variable is measured.
+Status resolve(const std::string& name, const Bound& given, ResolvedBound& resolved) {
+    resolved.given = given;
     switch (given.kind) {
     case Bound::Kind::free: resolved.absolute = std::numeric_limits<double>::infinity(); return {};
     case Bound::Kind::absolute: resolved.absolute = given.value; break;
     case Bound::Kind::relative: resolved.absolute = given.value * scale_of(resolved); break;
     }
-    if (rounding_margin(resolved) < largest_rounding_margin && std::isnormal(resolved.absolute)) return {};
+    if (can_be_carried(resolved)) return {};
     return {Fault::bound_too_fine,
-            "The bound of \"" + variable.name + "\" is " + number_text(resolved.absolute) +
+            "The bound of \"" + name + "\" is " + number_text(resolved.absolute) +
                 ", finer than double precision can carry beside an extent of " + number_text(resolved.extent) + ".",
-            variable.name,
+            name,
             {}};
 }
 
 } // namespace
 
+bool can_be_carried(const ResolvedBound& bound) {
+    return rounding_margin(bound) < largest_rounding_margin && std::isnormal(bound.absolute);
+}
+
 Status resolve_bounds(const Mesh& mesh, const Bounds& bounds, std::vector<ResolvedBound>& resolved) {
     if (Status status = check_names(mesh, bounds); !status.ok()) return status;
     resolved.assign(1 + mesh.variables.size(), {});
-    Status status = resolve(mesh.position, bound_for("position", bounds), false, resolved[0]);
-    for (std::size_t i = 0; status.ok() && i < mesh.variables.size(); ++i)
-        status = resolve(mesh.variables[i], bound_for(mesh.variables[i].name, bounds), true, resolved[i + 1]);
-    return status;
+    for (std::size_t i = 0; i < resolved.size(); ++i) {
+        const Variable& variable = i == 0 ? mesh.position : mesh.variables[i - 1];
+        Status status = measure(variable, i > 0, resolved[i]);
+        if (status.ok()) status = resolve(variable.name, bound_for(variable.name, bounds), resolved[i]);
+        if (!status.ok()) return status;
+    }
+    return {};
+}
+
+Status resolve_measured_bounds(const Mesh& mesh, const Bounds& bounds, std::vector<ResolvedBound>& resolved) {
+    if (Status status = check_names(mesh, bounds); !status.ok()) return status;
+    for (std::size_t i = 0; i < resolved.size(); ++i) {
+        const std::string& name = i == 0 ? mesh.position.name : mesh.variables[i - 1].name;
+        if (Status status = resolve(name, bound_for(name, bounds), resolved[i]); !status.ok()) return status;
+    }
+    return {};
 }
 
 } // namespace meshbound

@@ -12,9 +12,17 @@
 #include "ticker.hpp"
 
 namespace meshbound {
+namespace {
+
+Status check_waypoint_is_passed(const Options& options, const Waypoint* waypoint) {
+    if (!waypoint || options.sweeps.size() > 1) return {};
+    return {Fault::bad_option, "One sweep passes no waypoint; there must be two at least.", "", {}};
+}
+
+} // namespace
 
 Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Reduction& reduction,
-              const Progress& progress) {
+              const Progress& progress, Waypoint* waypoint) {
     try {
         Ticker ticker(progress);
         Oddities oddities;
@@ -24,13 +32,15 @@ Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Re
         if (Status status = check_options(mesh, options); !status.ok()) return status;
         if (Status status = check_feature_limit(resolved[0], options); !status.ok()) return status;
         if (Status status = check_small_parts(resolved[0], options); !status.ok()) return status;
+        if (Status status = check_waypoint_is_passed(options, waypoint); !status.ok()) return status;
         if (Status status = check_focus(mesh, resolved[0], options); !status.ok()) return status;
         ticker.ask();
         std::optional<double> feature;
         if (Status status = limit_to_feature_size(mesh, options, resolved, feature, ticker); !status.ok())
             return status;
-        reduction = ReductionRun(mesh, options, oddities, ticker).end_within(resolved[0]);
+        reduction = ReductionRun(mesh, options, oddities, ticker).end_within(resolved[0], waypoint);
         reduction.report.feature_size = feature;
+        if (waypoint) waypoint->report.feature_size = feature;
         ticker.finish();
         return {};
     } catch (const std::bad_alloc&) {

@@ -2,18 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "upper_float.hpp"
 
 namespace meshbound {
-namespace {
-
-/// Rounded up, so that the single-precision figure is still a bound.
-float upper_float(double value) {
-    const auto rounded = static_cast<float>(value);
-    return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
-}
-
-} // namespace
 
 Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Oddities& oddities) {
     Report report;
@@ -90,10 +82,10 @@ void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::v
     }
 }
 
-void report_limits(const Multipliers& multipliers, Report& report) {
+void report_limits(const Multipliers& multipliers, double share, Report& report) {
     for (VariableReport& variable : report.variables) {
-        variable.error = multipliers.most() * variable.bound.absolute;
-        variable.ratio = std::isfinite(variable.bound.absolute) ? 1 : 0;
+        variable.error = share * multipliers.most() * variable.bound.absolute;
+        variable.ratio = std::isfinite(variable.bound.absolute) ? share : 0;
     }
 }
 

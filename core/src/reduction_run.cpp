@@ -1,6 +1,7 @@
 #include "reduction_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 #include <utility>
 
@@ -88,9 +89,15 @@ Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, 
     return reduction;
 }
 
-Reduction ReductionRun::end_within(const std::vector<ResolvedBound>& bounds) {
+Reduction ReductionRun::end_within(const std::vector<ResolvedBound>& bounds, Waypoint* waypoint) {
     ends_ = true;
+    waypoint_ = waypoint;
     return reduce_within(bounds, {});
+}
+
+Reduction ReductionRun::end_without_map(const std::vector<ResolvedBound>& bounds) {
+    tells_map_ = false;
+    return end_within(bounds);
 }
 
 /// What the surface was made from, without its variables.
@@ -146,11 +153,33 @@ bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, Accounting& a
     const double swept = span.start + sweeping_share * (span.end - span.start);
     const std::vector<double> limits = limits_of_sweeps(bounds);
     reached_ = bounds;
-    if (!sweeper.sweep(limits, ticker_, span.start, swept)) return false;
+    const auto pass_waypoint = [&] {
+        if (waypoint_) *waypoint_ = waypoint_here(bounds, limits[limits.size() - 2]);
+    };
+    if (!sweeper.sweep(limits, ticker_, span.start, swept, pass_waypoint)) return false;
     count_refusals(surface_, sweeper, candidate, report);
     report.turned_before = turned_before_;
     report.turned_after = normals_->count_turned(surface_, *rows_);
     return true;
+}
+
+/// The surface as it is, all errors within this limit; of free variables they are unknown until they are measured.
+Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds, double limit) const {
+    Reduction here;
+    here.report = begin_report(mesh_, bounds, oddities_);
+    here.report.non_manifold_vertices = surface_.non_manifold_vertices();
+    here.report.dropped = dropped_;
+    here.report.unmet_boxes = unmet_boxes_;
+    here.report.stopped = Stopped::on_the_way;
+    extract_mesh(mesh_, surface_, here);
+    const bool any_free = std::any_of(bounds.begin(), bounds.end(),
+                                      [](const ResolvedBound& bound) { return std::isinf(bound.absolute); });
+    if (any_free) extract_errors(surface_, *rows_, *accounting_, here, ticker_);
+    else report_limits(Multipliers(find_focus(mesh_, options_)), limit + (1 - rows_->limit()), here.report);
+    here.report.triangles_after = here.mesh.triangles.size();
+    here.report.vertices_after = here.vertices.size();
+    if (!mesh_.regions.empty()) here.report.regions = report_regions(mesh_, here.mesh);
+    return {std::move(here.mesh), std::move(here.vertices), std::move(here.report)};
 }
 
 /// The finer level lies within its bounds of the original and the coarser one within its own: a map between them that
@@ -171,7 +200,7 @@ void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking*
     const Renaming renamed = extract_mesh(mesh_, surface_, reduction);
     extract_errors(surface_, *rows_, *accounting_, reduction, ticker_);
     const auto* tracking = dynamic_cast<const Tracking*>(accounting_.get());
-    if (!tracking) return;
+    if (!tracking || !tells_map_) return;
     extract_map(surface_, *tracking, renamed.vertex, renamed.triangle, reduction.map, ticker_);
     if (linked) linked->extract(renamed.vertex, renamed.triangle, reduction.vertices, *link, ticker_);
     if (ends_) accounting_.reset();
@@ -193,7 +222,7 @@ void ReductionRun::report_cancelled(Reduction& reduction) const {
     reduction = {};
     extract_mesh(mesh_, surface_, reduction);
     report.stopped = Stopped::cancelled;
-    report_limits(Multipliers(find_focus(mesh_, options_)), report);
+    report_limits(Multipliers(find_focus(mesh_, options_)), 1, report);
     reduction.report = std::move(report);
 }
 

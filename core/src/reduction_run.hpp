@@ -37,7 +37,11 @@ public:
 
     /// The same for a run that ends with it: what only a further call would need goes as soon as it can, which keeps the peak
     /// of the memory low. Nothing may be asked of the run afterwards.
-    Reduction end_within(const std::vector<ResolvedBound>& bounds);
+    /// `waypoint`, where given, is filled with the surface before the last sweep; there are two sweeps at least.
+    Reduction end_within(const std::vector<ResolvedBound>& bounds, Waypoint* waypoint = nullptr);
+
+    /// The same without a map and without errors of vertices.
+    Reduction end_without_map(const std::vector<ResolvedBound>& bounds);
 
 private:
     void orient_surface();
@@ -49,6 +53,7 @@ private:
     std::vector<double> limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const;
     bool sweep(const std::vector<ResolvedBound>& bounds, Accounting& accounting, const ProgressSpan& span,
                Report& report);
+    Waypoint waypoint_here(const std::vector<ResolvedBound>& bounds, double limit) const;
     void sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction, const ProgressSpan& span,
                           LevelLink* link);
     void report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link);
@@ -71,6 +76,8 @@ private:
     std::unique_ptr<Piercing> piercing_; // where piercing is refused
     std::vector<ResolvedBound> reached_; // the bounds of the last call; empty before the first
     bool ends_ = false;                  // no call follows
+    bool tells_map_ = true;
+    Waypoint* waypoint_ = nullptr; // to be filled on the way
 };
 
 } // namespace meshbound

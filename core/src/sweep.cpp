@@ -44,10 +44,12 @@ Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std
     removals_.push_back(std::make_unique<Removal>(surface, rows, accounting, guards));
 }
 
-bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker, double start, double end) {
+bool Sweeper::sweep(const std::vector<double>& limits, Ticker& ticker, double start, double end,
+                    const std::function<void()>& before_last) {
     const double share = (end - start) / static_cast<double>(limits.size());
     for (std::size_t i = 0; i < limits.size(); ++i) {
         const bool last = i + 1 == limits.size(); // before, a refused candidate gets another chance anyway
+        if (last && i > 0 && before_last) before_last();
         const Removal::Effort effort = last ? Removal::Effort::thorough : Removal::Effort::best;
         if (!sweep_once({limits[i] * limits[i], effort, ticker, start + static_cast<double>(i) * share, share}))
             return false;

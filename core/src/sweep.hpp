@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,9 +27,10 @@ public:
     Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate, Team& team,
             const Guards& guards);
 
-    /// Sweeps with each limit (fractions of the bounds, rising), which takes the progress from `start` to `end`. False when
-    /// the ticker cancelled.
-    bool sweep(const std::vector<double>& limits, Ticker& ticker, double start, double end);
+    /// Sweeps with each limit (fractions of the bounds, rising), which takes the progress from `start` to `end`; calls
+    /// `before_last` where the last sweep begins and another one went before. False when the ticker cancelled.
+    bool sweep(const std::vector<double>& limits, Ticker& ticker, double start, double end,
+               const std::function<void()>& before_last = {});
 
     /// The verdict on a vertex that is still there, from its last attempt.
     const Verdict& verdict(std::uint32_t vertex) const { return verdicts_[vertex]; }

@@ -43,8 +43,9 @@ struct RegionReport {
 };
 
 enum class Stopped {
-    finished,  ///< no single vertex can go any more
-    cancelled, ///< the caller cancelled; the mesh is valid and within the bounds, but larger than need be
+    finished,   ///< no single vertex can go any more
+    cancelled,  ///< the caller cancelled; the mesh is valid and within the bounds, but larger than need be
+    on_the_way, ///< a waypoint of a reduction that went on
 };
 
 struct Report {
@@ -62,12 +63,14 @@ struct Report {
     std::size_t non_manifold_vertices = 0; ///< of the input: on edges of three or more triangles, in bow-ties
     /// Triangles that turn more than a right angle against the surface that they stand for: against the original's normal at
     /// one of their corners, which is the sum of the area vectors of the original's triangles there. None turns farther at a
-    /// corner than some triangle of the original does. Not counted where the reduction was cancelled.
+    /// corner than some triangle of the original does. Not counted where the reduction was cancelled or went on from a waypoint.
     std::size_t turned_before = 0, turned_after = 0;
     /// Tracked errors only: into how many cells the map cuts the original (figure 5), and how many of them it turns over
     /// (see Segmentation). Folds of the map are no folds of the surface; they matter to morphing.
     std::size_t cells = 0, folded_cells = 0;
     Stopped stopped = Stopped::finished;
+    /// Errors are upper bounds, sums over a waypoint and the way on from there (see reduce_onward).
+    bool summed = false;
 };
 
 } // namespace meshbound

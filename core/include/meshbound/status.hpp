@@ -23,6 +23,7 @@ enum class Fault {
     bad_bound,           ///< a bound that is negative, zero or not a finite number
     bound_too_fine,      ///< a bound below what double precision can carry beside the magnitude of the values
     bad_option,          ///< an option outside its documented range
+    bad_waypoint,        ///< a waypoint that contradicts itself, or has spent what a bound allows
     bad_levels,          ///< a list of levels of detail that is empty or does not go from fine to coarse
     too_large,           ///< more vertices or triangles than 32-bit indices can name
     out_of_memory,       ///< the machine (or WebAssembly's 4 GB) has no room for this reduction

@@ -1,0 +1,56 @@
+#include "check_waypoint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace meshbound {
+namespace {
+
+Status inconsistent(const std::string& message, const std::string& variable = "") {
+    return {Fault::bad_waypoint, message, variable, {}};
+}
+
+Status check_vertices(const Waypoint& waypoint) {
+    const auto& vertices = waypoint.vertices;
+    if (vertices.size() != vertex_count(waypoint.mesh))
+        return inconsistent("The waypoint has " + std::to_string(vertex_count(waypoint.mesh)) +
+                            " vertices and says of " + std::to_string(vertices.size()) + " where they come from.");
+    if (std::adjacent_find(vertices.begin(), vertices.end(), std::greater_equal<>()) != vertices.end())
+        return inconsistent("The waypoint's vertices are not in the order of the original's.");
+    if (vertices.back() >= waypoint.report.vertices_before)
+        return inconsistent("The waypoint has vertex " + std::to_string(vertices.back()) + " of an original of " +
+                            std::to_string(waypoint.report.vertices_before) + " vertices (counted from 0).");
+    return {};
+}
+
+/// NaN fails.
+bool is_length(double value) { return value >= 0 && std::isfinite(value); }
+
+Status check_variables(const Waypoint& waypoint) {
+    const auto& reports = waypoint.report.variables;
+    const std::size_t count = 1 + waypoint.mesh.variables.size();
+    if (reports.size() != count)
+        return inconsistent("The waypoint has " + std::to_string(count) +
+                            " variables, position among them, and reports on " + std::to_string(reports.size()) + ".");
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string& name = i == 0 ? waypoint.mesh.position.name : waypoint.mesh.variables[i - 1].name;
+        if (reports[i].name != name)
+            return inconsistent("The waypoint reports on \"" + reports[i].name + "\" in place of \"" + name + "\".",
+                                name);
+        if (!is_length(reports[i].error) || !is_length(reports[i].bound.extent) ||
+            !is_length(reports[i].bound.magnitude))
+            return inconsistent("What the waypoint reports on \"" + name + "\" is not in numbers from zero on.", name);
+    }
+    return {};
+}
+
+} // namespace
+
+Status check_waypoint(const Waypoint& waypoint) {
+    if (Status status = check_vertices(waypoint); !status.ok()) return status;
+    return check_variables(waypoint);
+}
+
+} // namespace meshbound

@@ -1,0 +1,386 @@
+// A reduction hands out the surface that it passes on its way, and from there another one goes on within the bounds.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "meshes/fields.hpp"
+#include "meshes/gallery.hpp"
+#include "meshes/oddities.hpp"
+#include "meshes/ply.hpp"
+#include "meshes/shapes.hpp"
+#include "modes.hpp"
+#include "promise.hpp"
+
+namespace {
+
+using namespace meshbound;
+
+const Bounds usual = promise::percent(1, 3);
+
+/// "wave" alone has a bound besides position.
+const Bounds partly_free = {{"position", relative(0.01)}, {"wave", relative(0.03)}};
+
+Waypoint waypoint_of(const Reduction& reduction) { return {reduction.mesh, reduction.vertices, reduction.report}; }
+
+/// As a reduction within what was spent, be it nothing, up to rounding; what is free stays free.
+Reduction as_reduction(const Waypoint& waypoint) {
+    Reduction reduction{waypoint.mesh, waypoint.vertices, {}, {}, {}, waypoint.report};
+    for (VariableReport& variable : reduction.report.variables) {
+        if (std::isinf(variable.bound.absolute)) continue;
+        variable.bound.absolute = std::max(variable.error, 1e-9 * variable.bound.extent);
+        variable.ratio = 1;
+    }
+    return reduction;
+}
+
+/// Two squares of regions in halves, with fields.
+Mesh with_regions() {
+    Mesh mesh = meshes::grid(
+        24, 24, [](double u, double v) { return glm::dvec3(u, v, 0.05 * std::sin(9 * u) * std::sin(7 * v)); });
+    meshes::add_usual_fields(mesh);
+    for (const glm::uvec3& t : mesh.triangles) mesh.regions.push_back(meshes::point(mesh, t.x).x < 0.5 ? 3 : 7);
+    return mesh;
+}
+
+Mesh usual_mesh() { return meshes::gallery()[4].mesh; }
+
+class Onward : public ModeTest {
+protected:
+    Options options = GetParam().options();
+
+    Reduction reduce(const Mesh& mesh, const Bounds& bounds, Waypoint& waypoint) const {
+        Reduction reduction;
+        const Status status = meshbound::reduce(mesh, bounds, options, reduction, {}, &waypoint);
+        EXPECT_TRUE(status.ok()) << status.message;
+        return reduction;
+    }
+
+    Waypoint passed(const Mesh& mesh, const Bounds& bounds) const {
+        Waypoint waypoint;
+        reduce(mesh, bounds, waypoint);
+        return waypoint;
+    }
+
+    Reduction onward(const Waypoint& waypoint, const Bounds& bounds) const {
+        Reduction reduction;
+        const Status status = reduce_onward(waypoint, bounds, options, reduction);
+        EXPECT_TRUE(status.ok()) << status.message;
+        return reduction;
+    }
+
+    Status refused(const Waypoint& waypoint, const Bounds& bounds) const {
+        Reduction reduction;
+        reduction.vertices = {7};
+        const Status status = reduce_onward(waypoint, bounds, options, reduction);
+        EXPECT_EQ(reduction.vertices, std::vector<std::uint32_t>{7}) << "touched";
+        return status;
+    }
+};
+EVERY_MODE(Onward);
+
+/// Every figure about a triangle, and the report, say the same.
+void expect_sums(const Mesh& mesh, const Reduction& reduction) {
+    EXPECT_TRUE(reduction.report.summed);
+    EXPECT_TRUE(reduction.map.places.empty());
+    EXPECT_TRUE(reduction.vertex_errors.empty());
+    ASSERT_EQ(reduction.triangle_errors.size(), 1 + mesh.variables.size());
+    for (std::size_t i = 0; i < reduction.triangle_errors.size(); ++i) {
+        const TriangleErrors& errors = reduction.triangle_errors[i];
+        const VariableReport& variable = reduction.report.variables[i];
+        SCOPED_TRACE(variable.name);
+        ASSERT_EQ(errors.largest.size(), reduction.mesh.triangles.size());
+        ASSERT_EQ(errors.ratio.size(), reduction.mesh.triangles.size());
+        EXPECT_NEAR(*std::max_element(errors.largest.begin(), errors.largest.end()), variable.error,
+                    1e-6 * variable.error);
+        if (std::isinf(variable.bound.absolute)) {
+            EXPECT_EQ(variable.ratio, 0);
+            continue;
+        }
+        EXPECT_LE(variable.error, variable.bound.absolute);
+        EXPECT_LE(*std::max_element(errors.ratio.begin(), errors.ratio.end()), 1);
+        EXPECT_NEAR(variable.error / variable.bound.absolute, variable.ratio, 1e-12);
+    }
+}
+
+TEST_P(Onward, HandingOutTheWaypointChangesNothing) {
+    for (const meshes::Exhibit& exhibit : meshes::gallery()) {
+        SCOPED_TRACE(exhibit.name);
+        Waypoint waypoint;
+        const Reduction with = reduce(exhibit.mesh, usual, waypoint);
+        const Reduction without = promise::reduced(exhibit.mesh, usual, options);
+        EXPECT_TRUE(promise::same_bits(with.mesh, without.mesh));
+        EXPECT_EQ(with.vertices, without.vertices);
+        EXPECT_EQ(with.report.cells, without.report.cells);
+        EXPECT_FALSE(with.report.summed);
+        for (std::size_t i = 0; i < with.triangle_errors.size(); ++i)
+            EXPECT_EQ(with.triangle_errors[i].largest, without.triangle_errors[i].largest);
+    }
+}
+
+TEST_P(Onward, AWaypointLiesWithinWhatItHasSpent) {
+    std::size_t removed = 0;
+    for (const meshes::Exhibit& exhibit : meshes::gallery())
+        for (const Bounds& bounds : {usual, promise::percent(8, 8), partly_free}) {
+            SCOPED_TRACE(exhibit.name);
+            Waypoint waypoint;
+            const Reduction result = reduce(exhibit.mesh, bounds, waypoint);
+            EXPECT_GT(waypoint.mesh.triangles.size(), result.mesh.triangles.size());
+            removed += exhibit.mesh.triangles.size() - waypoint.mesh.triangles.size();
+            EXPECT_EQ(waypoint.report.stopped, Stopped::on_the_way);
+            for (const VariableReport& variable : waypoint.report.variables)
+                EXPECT_LE(variable.error, variable.bound.absolute / 8 * (1 + promise::hair)) << variable.name;
+            promise::expect_everything(exhibit.mesh, as_reduction(waypoint), 10'000);
+        }
+    EXPECT_GT(removed, 0U);
+}
+
+TEST_P(Onward, KeepsEveryBoundToTheOriginal) {
+    const std::vector<Bounds> next = {usual,
+                                      promise::percent(0.3, 1),
+                                      promise::percent(4, 12),
+                                      promise::percent(1, 20),
+                                      {{"position", relative(0.01)}, {"wave", relative(0.05)}}};
+    for (const meshes::Exhibit& exhibit : meshes::gallery()) {
+        const Waypoint waypoint = passed(exhibit.mesh, usual);
+        for (const Bounds& bounds : next) {
+            SCOPED_TRACE(exhibit.name);
+            const Reduction reduction = onward(waypoint, bounds);
+            promise::expect_everything(exhibit.mesh, reduction, 10'000);
+            EXPECT_LE(promise::largest_ratio(reduction), 1);
+            expect_sums(exhibit.mesh, reduction);
+        }
+    }
+}
+
+TEST_P(Onward, GoesOnFromResultsTooAndOnFromThere) {
+    for (const meshes::Exhibit& exhibit : meshes::gallery()) {
+        SCOPED_TRACE(exhibit.name);
+        const Reduction first = promise::reduced(exhibit.mesh, usual, options);
+        const Reduction second = onward(waypoint_of(first), promise::percent(2.5, 6));
+        promise::expect_everything(exhibit.mesh, second, 10'000);
+        const Reduction third = onward(waypoint_of(second), promise::percent(4, 10));
+        promise::expect_everything(exhibit.mesh, third, 10'000);
+        expect_sums(exhibit.mesh, third);
+        EXPECT_LT(third.mesh.triangles.size(), first.mesh.triangles.size());
+    }
+}
+
+TEST_P(Onward, KeepsTheBoundsOfWhatWasFree) {
+    const Mesh mesh = usual_mesh();
+    const Waypoint waypoint = passed(mesh, partly_free);
+    const double spent = waypoint.report.variables[1].error;
+    ASSERT_EQ(waypoint.report.variables[1].name, "linear");
+    const Bounds all = {{"position", relative(0.01)}, {"wave", relative(0.03)}, {"linear", absolute(1.5 * spent)}};
+    promise::expect_everything(mesh, onward(waypoint, all));
+    const Bounds too_fine = {{"position", relative(0.01)}, {"wave", relative(0.03)}, {"linear", absolute(0.9 * spent)}};
+    EXPECT_EQ(refused(waypoint, too_fine).variable, "linear");
+}
+
+TEST_P(Onward, KeepsItsPromiseOverSamples) {
+    for (const std::string& file : meshes::sample_files()) {
+        SCOPED_TRACE(file);
+        const Mesh mesh = meshes::read_ply(file);
+        if (mesh.triangles.size() > 15'000) continue;
+        const Waypoint waypoint = passed(mesh, usual);
+        for (const Bounds& bounds : {usual, promise::percent(3, 9)}) {
+            const Reduction reduction = onward(waypoint, bounds);
+            promise::expect_judge_agrees(mesh, reduction);
+            promise::expect_same_topology(mesh, reduction);
+        }
+    }
+}
+
+TEST_P(Onward, KeepsItsPromiseOverOddSurfaces) {
+    std::vector<Mesh> odd = meshes::odd_surfaces();
+    odd.push_back(meshes::moebius_band(40, 8));
+    for (std::size_t i = 0; i < odd.size(); ++i) {
+        SCOPED_TRACE(i);
+        const Waypoint waypoint = passed(odd[i], promise::percent(2, 6));
+        const Reduction reduction = onward(waypoint, promise::percent(4, 12));
+        promise::expect_vertex_subset(odd[i], reduction);
+        const judge::Judgement judgement =
+            judge::judge(odd[i], reduction.mesh, promise::absolute_bounds(reduction), 10'000);
+        EXPECT_LE(judgement.ratio(), 1 + promise::hair) << judgement;
+        EXPECT_EQ(reduction.report.oddities.unused_vertices, waypoint.report.oddities.unused_vertices);
+        EXPECT_EQ(reduction.report.oddities.zero_area_triangles, waypoint.report.oddities.zero_area_triangles);
+    }
+}
+
+TEST_P(Onward, TakesRelativeBoundsFromTheExtentsOfTheOriginal) {
+    const Mesh mesh = usual_mesh();
+    const Reduction scratch = promise::reduced(mesh, promise::percent(4, 12), options);
+    const Reduction reduction = onward(passed(mesh, usual), promise::percent(4, 12));
+    EXPECT_EQ(promise::absolute_bounds(reduction), promise::absolute_bounds(scratch));
+}
+
+TEST_P(Onward, ReportsOnTheOriginal) {
+    const Mesh mesh = with_regions();
+    const Waypoint waypoint = passed(mesh, usual);
+    const Reduction reduction = onward(waypoint, promise::percent(3, 9));
+    const Report& report = reduction.report;
+    EXPECT_EQ(report.triangles_before, mesh.triangles.size());
+    EXPECT_EQ(report.vertices_before, vertex_count(mesh));
+    EXPECT_EQ(report.triangles_after, reduction.mesh.triangles.size());
+    EXPECT_EQ(report.vertices_after, reduction.vertices.size());
+    EXPECT_EQ(report.stopped, Stopped::finished);
+    ASSERT_EQ(report.regions.size(), 2U);
+    for (const RegionReport& region : report.regions) {
+        const auto before = std::count(mesh.regions.begin(), mesh.regions.end(), region.label);
+        EXPECT_EQ(region.triangles_before, static_cast<std::size_t>(before));
+        EXPECT_NEAR(region.area_after / region.area_before, 1, 0.1);
+    }
+}
+
+TEST_P(Onward, LeavesLittleMoreThanAReductionFromScratch) {
+    std::size_t continued = 0, scratch = 0;
+    for (const meshes::Exhibit& exhibit : meshes::gallery()) {
+        Waypoint waypoint;
+        scratch += reduce(exhibit.mesh, usual, waypoint).mesh.triangles.size();
+        continued += onward(waypoint, usual).mesh.triangles.size();
+    }
+    EXPECT_LT(static_cast<double>(continued), 1.25 * static_cast<double>(scratch));
+}
+
+TEST_P(Onward, WhatIsLockedStays) {
+    const Mesh mesh = with_regions();
+    const Box box{{0.6, 0.6, -1}, {0.8, 0.8, 1}};
+    options.locked = {5, 100, 311};
+    options.locked_boxes = {box};
+    options.locked_regions = {3};
+    const Reduction reduction = onward(passed(mesh, usual), promise::percent(4, 12));
+    const auto is_left = [&](std::uint32_t vertex) {
+        return std::binary_search(reduction.vertices.begin(), reduction.vertices.end(), vertex);
+    };
+    for (const std::uint32_t vertex : options.locked) EXPECT_TRUE(is_left(vertex));
+    std::size_t in_box = 0;
+    for (std::uint32_t v = 0; v < vertex_count(mesh); ++v) {
+        const glm::dvec3 p = meshes::point(mesh, v);
+        if (p.x < 0.6 || p.x > 0.8 || p.y < 0.6 || p.y > 0.8) continue;
+        ++in_box;
+        EXPECT_TRUE(is_left(v)) << v;
+    }
+    EXPECT_GT(in_box, 0U);
+    EXPECT_EQ(reduction.report.regions[0].triangles_after, reduction.report.regions[0].triangles_before);
+    EXPECT_LT(reduction.report.regions[1].triangles_after, reduction.report.regions[1].triangles_before);
+    promise::expect_judge_agrees(mesh, reduction);
+}
+
+TEST_P(Onward, ALockedVertexThatIsGoneIsNamed) {
+    const Mesh mesh = usual_mesh();
+    const Waypoint waypoint = passed(mesh, usual);
+    std::uint32_t gone = 0;
+    while (waypoint.vertices[gone] == gone) ++gone;
+    options.locked = {waypoint.vertices[0], gone};
+    const Status status = refused(waypoint, promise::percent(4, 12));
+    EXPECT_EQ(status.fault, Fault::bad_waypoint);
+    EXPECT_EQ(status.index, gone);
+}
+
+TEST_P(Onward, NamesTheVariableWhoseBoundIsSpent) {
+    const Mesh mesh = usual_mesh();
+    const Waypoint waypoint = passed(mesh, usual);
+    const Bounds tight = {{"position", relative(0.01)}, {"*", relative(0.03)}, {"wave", relative(0.03 / 8)}};
+    const Status status = refused(waypoint, tight);
+    EXPECT_EQ(status.fault, Fault::bad_waypoint);
+    EXPECT_EQ(status.variable, "wave");
+    EXPECT_THAT(status.message, testing::HasSubstr("\"wave\""));
+    EXPECT_EQ(refused(waypoint, promise::percent(0.1, 3)).variable, "position");
+}
+
+TEST_P(Onward, RefusesAWaypointThatContradictsItself) {
+    const Mesh mesh = usual_mesh();
+    const Waypoint good = passed(mesh, usual);
+    const auto broken = [&](const auto& breakage) {
+        Waypoint waypoint = good;
+        breakage(waypoint);
+        return refused(waypoint, promise::percent(4, 12)).fault;
+    };
+    EXPECT_EQ(broken([](Waypoint& w) { w.vertices.pop_back(); }), Fault::bad_waypoint);
+    EXPECT_EQ(broken([](Waypoint& w) { std::swap(w.vertices[0], w.vertices[1]); }), Fault::bad_waypoint);
+    EXPECT_EQ(broken([](Waypoint& w) { w.vertices.back() = 1'000'000; }), Fault::bad_waypoint);
+    EXPECT_EQ(broken([](Waypoint& w) { w.report.variables.pop_back(); }), Fault::bad_waypoint);
+    EXPECT_EQ(broken([](Waypoint& w) { w.report.variables[1].name = "other"; }), Fault::bad_waypoint);
+    for (const double bad : {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_EQ(broken([bad](Waypoint& w) { w.report.variables[1].error = bad; }), Fault::bad_waypoint);
+        EXPECT_EQ(broken([bad](Waypoint& w) { w.report.variables[0].bound.extent = bad; }), Fault::bad_waypoint);
+    }
+    EXPECT_EQ(broken([](Waypoint& w) { w.mesh.triangles[0].x = 1'000'000; }), Fault::bad_index);
+    EXPECT_EQ(broken([](Waypoint& w) { w.mesh.triangles.clear(); }), Fault::no_triangles);
+    EXPECT_EQ(broken([](Waypoint& w) { w = {}; }), Fault::no_triangles);
+}
+
+TEST_P(Onward, RefusesWhatOnlyTheOriginalCanTell) {
+    Mesh mesh = usual_mesh();
+    meshes::add_scalar(mesh, "focus", [](glm::dvec3 p) { return 1 + p.x * p.x; });
+    const Waypoint waypoint = passed(mesh, usual);
+    const Options plain = options;
+    options.focus = "focus";
+    EXPECT_EQ(refused(waypoint, promise::percent(4, 12)).fault, Fault::bad_option);
+    options = plain;
+    options.limit_to_feature_size = true;
+    EXPECT_EQ(refused(waypoint, promise::percent(4, 12)).fault, Fault::bad_option);
+    options = plain;
+    options.drop_small_parts = true;
+    EXPECT_EQ(refused(waypoint, promise::percent(4, 12)).fault, Fault::bad_option);
+}
+
+TEST_P(Onward, GoesOnFromAWaypointOfMultipliedBounds) {
+    Mesh mesh = usual_mesh();
+    meshes::add_scalar(mesh, "focus", [](glm::dvec3 p) { return 1 + p.x * p.x; });
+    options.focus = "focus";
+    const Waypoint waypoint = passed(mesh, usual);
+    options.focus.clear();
+    promise::expect_everything(mesh, as_reduction(waypoint));
+    promise::expect_everything(mesh, onward(waypoint, promise::percent(3, 9)));
+}
+
+TEST_P(Onward, OneSweepPassesNoWaypoint) {
+    options.sweeps = {1};
+    Reduction reduction;
+    Waypoint waypoint;
+    const Status status = meshbound::reduce(usual_mesh(), usual, options, reduction, {}, &waypoint);
+    EXPECT_EQ(status.fault, Fault::bad_option);
+    EXPECT_TRUE(waypoint.vertices.empty());
+}
+
+TEST_P(Onward, IsTheSameForAnyNumberOfThreads) {
+    const Mesh mesh = meshes::gallery()[2].mesh;
+    const Waypoint waypoint = passed(mesh, usual);
+    options.threads = 1;
+    const Reduction one = onward(waypoint, promise::percent(3, 9));
+    options.threads = 3;
+    EXPECT_TRUE(promise::same_bits(one.mesh, onward(waypoint, promise::percent(3, 9)).mesh));
+}
+
+TEST_P(Onward, ReportsProgressAndCanBeCancelled) {
+    Mesh mesh = meshes::torus(70, 36);
+    meshes::add_usual_fields(mesh);
+    options.threads = 1;
+    const Waypoint waypoint = passed(mesh, promise::percent(0.2, 0.5));
+    std::vector<double> values;
+    Reduction whole;
+    ASSERT_TRUE(reduce_onward(waypoint, promise::percent(3, 9), options, whole, [&](double value) {
+                    values.push_back(value);
+                    return true;
+                }).ok());
+    EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
+    EXPECT_EQ(std::count(values.begin(), values.end(), 1), 1);
+    for (const std::size_t last : {std::size_t(1), values.size() / 2}) {
+        std::size_t call = 0;
+        Reduction part;
+        ASSERT_TRUE(
+            reduce_onward(waypoint, promise::percent(3, 9), options, part, [&](double) { return call++ < last; }).ok());
+        EXPECT_EQ(part.report.stopped, Stopped::cancelled);
+        EXPECT_GT(part.mesh.triangles.size(), whole.mesh.triangles.size());
+        EXPECT_TRUE(part.triangle_errors.empty());
+        promise::expect_everything(mesh, part, 5'000);
+    }
+}
+
+} // namespace
