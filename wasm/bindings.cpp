@@ -73,9 +73,27 @@ val reduce_mesh(const val& mesh, const val& options, const val& on_progress) {
         const Bounds bounds = bounds_from(options["bounds"]);
         const Options settings = options_from(options);
 
+        const bool wanted = wants_waypoint(options);
+        Reduction reduction;
+        Waypoint waypoint;
+        const auto start = std::chrono::steady_clock::now();
+        const Status status =
+            reduce(input, bounds, settings, reduction, progress_from(on_progress), wanted ? &waypoint : nullptr);
+        const double seconds = seconds_since(start);
+        if (!status.ok()) return failure(status);
+        return success(reduction_to(reduction, seconds, wanted ? &waypoint : nullptr));
+    });
+}
+
+val reduce_waypoint_onward(const val& waypoint, const val& options, const val& on_progress) {
+    return guarded([&] {
+        const Waypoint from = waypoint_from(waypoint);
+        const Bounds bounds = bounds_from(options["bounds"]);
+        const Options settings = options_from(options);
+
         Reduction reduction;
         const auto start = std::chrono::steady_clock::now();
-        const Status status = reduce(input, bounds, settings, reduction, progress_from(on_progress));
+        const Status status = reduce_onward(from, bounds, settings, reduction, progress_from(on_progress));
         const double seconds = seconds_since(start);
         return status.ok() ? success(reduction_to(reduction, seconds)) : failure(status);
     });
@@ -128,6 +146,7 @@ double memory_size() { return static_cast<double>(emscripten_get_heap_size()); }
 
 EMSCRIPTEN_BINDINGS(meshbound) {
     emscripten::function("reduce", &reduce_mesh);
+    emscripten::function("reduceOnward", &reduce_waypoint_onward);
     emscripten::function("reduceLevels", &reduce_mesh_to_levels);
     emscripten::function("segment", &segment_mesh);
     emscripten::function("inspect", &inspect_mesh);

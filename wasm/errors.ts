@@ -19,6 +19,7 @@ export type ErrorCode =
   | 'bound_too_fine'
   | 'bad_option'
   | 'bad_levels'
+  | 'bad_waypoint'
   | 'too_large'
   | 'out_of_memory'
   | 'internal'

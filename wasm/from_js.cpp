@@ -123,6 +123,72 @@ SurfaceMap map_from(const val& map) {
     return result;
 }
 
+/// JavaScript has one type of number. What is no count is 0, which the core refuses where it counts on it.
+std::size_t count_from(const val& number) {
+    const double value = number.isNumber() ? number.as<double>() : 0;
+    return value >= 0 && value < static_cast<double>(std::numeric_limits<std::uint32_t>::max())
+               ? static_cast<std::size_t>(value)
+               : 0;
+}
+
+double number_from(const val& number) {
+    return number.isNumber() ? number.as<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+template <class T, class Convert>
+std::vector<T> list_from(const val& list, Convert convert) {
+    std::vector<T> result;
+    const auto count = list["length"].as<std::size_t>();
+    for (std::size_t i = 0; i < count; ++i) {
+        result.push_back(convert(list[i]));
+    }
+    return result;
+}
+
+VariableReport variable_report_from(const val& report) {
+    VariableReport result;
+    result.name = report["name"].as<std::string>();
+    result.components = report["components"].as<int>();
+    result.bound.extent = number_from(report["extent"]);
+    result.bound.magnitude = number_from(report["magnitude"]);
+    result.bound.constant = report["constant"].isTrue();
+    result.bound.absolute = number_from(report["bound"]);
+    result.error = number_from(report["error"]);
+    return result;
+}
+
+RegionReport region_report_from(const val& region) {
+    return {region["label"].as<std::int32_t>(), count_from(region["triangles"]["before"]),
+            count_from(region["triangles"]["after"]), number_from(region["area"]["before"]),
+            number_from(region["area"]["after"])};
+}
+
+Oddities oddities_from(const val& oddities) {
+    Oddities result;
+    result.repeated_vertex_triangles = count_from(oddities["repeatedVertexTriangles"]);
+    result.zero_area_triangles = count_from(oddities["zeroAreaTriangles"]);
+    result.unused_vertices = count_from(oddities["unusedVertices"]);
+    result.turned_triangles = count_from(oddities["turnedTriangles"]);
+    result.unorientable_parts = count_from(oddities["unorientableParts"]);
+    if (const val triangle = oddities["unorientableTriangle"]; triangle.isNumber()) {
+        result.unorientable_triangle = count_from(triangle);
+    }
+    return result;
+}
+
+/// What a waypoint's report says of the original, and what was spent.
+Report report_from(const val& report) {
+    Report result;
+    result.triangles_before = count_from(report["triangles"]["before"]);
+    result.vertices_before = count_from(report["vertices"]["before"]);
+    result.variables = list_from<VariableReport>(report["variables"], variable_report_from);
+    result.oddities = oddities_from(report["oddities"]);
+    result.dropped = {count_from(report["dropped"]["parts"]), count_from(report["dropped"]["triangles"])};
+    result.regions = list_from<RegionReport>(report["regions"], region_report_from);
+    result.non_manifold_vertices = count_from(report["nonManifoldVertices"]);
+    return result;
+}
+
 } // namespace
 
 Mesh mesh_from(const val& mesh) {
@@ -203,6 +269,17 @@ LevelOptions level_options_from(const val& options) {
     result.reduction = options_from(options);
     read_flag(options, "morphs", result.morphs);
     return result;
+}
+
+bool wants_waypoint(const val& options) {
+    bool wanted = false;
+    read_flag(options, "waypoint", wanted);
+    return wanted;
+}
+
+Waypoint waypoint_from(const val& waypoint) {
+    return {mesh_from(waypoint["mesh"]), vector_from<std::uint32_t>(waypoint["vertices"]),
+            report_from(waypoint["report"])};
 }
 
 Reduction mapped_reduction_from(const val& reduction) {

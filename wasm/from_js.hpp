@@ -29,6 +29,12 @@ LevelOptions level_options_from(const emscripten::val& options);
 /// The rest of `ReduceOptions`; what is left out keeps the core's default. Throws ShapeError.
 Options options_from(const emscripten::val& options);
 
+/// Whether `ReduceOptions` ask for the waypoint. Throws ShapeError.
+bool wants_waypoint(const emscripten::val& options);
+
+/// A `Waypoint` of wasm/types.ts.
+Waypoint waypoint_from(const emscripten::val& waypoint);
+
 /// Of a `Reduction` its mesh, vertices and map: what says where the mesh that was reduced went.
 Reduction mapped_reduction_from(const emscripten::val& reduction);
 

@@ -1,15 +1,28 @@
 import type { Failure } from './errors.ts';
 import type { Inspection } from './inspection.ts';
-import type { Levels, LevelsOptions, MappedReduction, Mesh, ReduceOptions, Reduction, Segmentation } from './types.ts';
+import type {
+  Levels,
+  LevelsOptions,
+  MappedReduction,
+  Mesh,
+  OnwardOptions,
+  ReduceOptions,
+  Reduction,
+  Segmentation,
+  Waypoint,
+} from './types.ts';
 
 /** The options that cross to the worker; signal and progress stay with the caller. */
 export type CoreOptions = Omit<ReduceOptions, 'signal' | 'onProgress'>;
+
+export type CoreOnwardOptions = Omit<OnwardOptions, 'signal' | 'onProgress'>;
 
 export type CoreLevelsOptions = Omit<LevelsOptions, 'signal' | 'onProgress'>;
 
 /** What the worker is asked to do. The arrays of the mesh are transferred. */
 export type Task =
   | { kind: 'reduce'; mesh: Mesh; options: CoreOptions }
+  | { kind: 'reduceOnward'; waypoint: Waypoint; options: CoreOnwardOptions }
   | { kind: 'reduceLevels'; mesh: Mesh; options: CoreLevelsOptions }
   | { kind: 'segment'; mesh: Mesh; reduction: MappedReduction }
   | { kind: 'inspect'; mesh: Mesh };

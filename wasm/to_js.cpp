@@ -174,25 +174,38 @@ val region_report_to(const RegionReport& region) {
                   field("area", object(field("before", region.area_before), field("after", region.area_after))));
 }
 
-std::string stopped_name(Stopped stopped) { return stopped == Stopped::cancelled ? "cancelled" : "finished"; }
+std::string stopped_name(Stopped stopped) {
+    switch (stopped) {
+    case Stopped::finished: return "finished";
+    case Stopped::cancelled: return "cancelled";
+    case Stopped::on_the_way: return "on_the_way";
+    }
+    return "";
+}
 
 val report_to(const Report& report, double seconds) {
-    val result = object(field("triangles", before_after(report.triangles_before, report.triangles_after)),
-                        field("vertices", before_after(report.vertices_before, report.vertices_after)),
-                        field("variables", list_to(report.variables, variable_report_to)),
-                        field("refused", refusals_to(report.refused)), field("oddities", oddities_to(report.oddities)),
-                        field("dropped", object(field("parts", number(report.dropped.parts)),
-                                                field("triangles", number(report.dropped.triangles)))),
-                        field("unmetBoxes", list_to(report.unmet_boxes, number)),
-                        field("regions", list_to(report.regions, region_report_to)),
-                        field("turnedAway", before_after(report.turned_before, report.turned_after)),
-                        field("nonManifoldVertices", number(report.non_manifold_vertices)),
-                        field("cells", number(report.cells)), field("foldedCells", number(report.folded_cells)),
-                        field("stopped", stopped_name(report.stopped)), field("seconds", seconds));
+    val result =
+        object(field("triangles", before_after(report.triangles_before, report.triangles_after)),
+               field("vertices", before_after(report.vertices_before, report.vertices_after)),
+               field("variables", list_to(report.variables, variable_report_to)),
+               field("refused", refusals_to(report.refused)), field("oddities", oddities_to(report.oddities)),
+               field("dropped", object(field("parts", number(report.dropped.parts)),
+                                       field("triangles", number(report.dropped.triangles)))),
+               field("unmetBoxes", list_to(report.unmet_boxes, number)),
+               field("regions", list_to(report.regions, region_report_to)),
+               field("turnedAway", before_after(report.turned_before, report.turned_after)),
+               field("nonManifoldVertices", number(report.non_manifold_vertices)), field("cells", number(report.cells)),
+               field("foldedCells", number(report.folded_cells)), field("stopped", stopped_name(report.stopped)),
+               field("summed", report.summed), field("seconds", seconds));
     if (report.feature_size) {
         result.set("featureSize", *report.feature_size);
     }
     return result;
+}
+
+val waypoint_to(const Waypoint& waypoint, double seconds) {
+    return object(field("mesh", mesh_to(waypoint.mesh)), field("vertices", array_to(waypoint.vertices)),
+                  field("report", report_to(waypoint.report, seconds)));
 }
 
 val extent_to(const Variable& variable, const ResolvedBound& bound) {
@@ -202,13 +215,16 @@ val extent_to(const Variable& variable, const ResolvedBound& bound) {
 
 } // namespace
 
-val reduction_to(const Reduction& reduction, double seconds) {
+val reduction_to(const Reduction& reduction, double seconds, const Waypoint* waypoint) {
     val result = object(field("mesh", mesh_to(reduction.mesh)), field("vertices", array_to(reduction.vertices)),
                         field("triangleErrors", list_to(reduction.triangle_errors, triangle_errors_to)),
                         field("report", report_to(reduction.report, seconds)));
     if (!reduction.map.places.empty()) {
         result.set("map", map_to(reduction.map));
         result.set("vertexErrors", list_to(reduction.vertex_errors, vertex_errors_to));
+    }
+    if (waypoint && !waypoint->vertices.empty()) {
+        result.set("waypoint", waypoint_to(*waypoint, seconds));
     }
     return result;
 }

@@ -6,9 +6,9 @@
 
 namespace meshbound::js {
 
-/// A `Reduction` of wasm/types.ts; map and vertex errors only where there are any (tracked errors). Every array is copied
-/// once, into memory of JavaScript's own.
-emscripten::val reduction_to(const Reduction& reduction, double seconds);
+/// A `Reduction` of wasm/types.ts; map and vertex errors only where there are any (tracked errors), the waypoint where it is
+/// given. Every array is copied once, into memory of JavaScript's own.
+emscripten::val reduction_to(const Reduction& reduction, double seconds, const Waypoint* waypoint = nullptr);
 
 /// `Levels` of wasm/types.ts. What it hands over it frees, so that nothing large is held twice.
 emscripten::val levels_to(Levels levels, double seconds);

@@ -66,6 +66,8 @@ export interface ReduceOptions {
    * original has the multiplier m, no error exceeds m times the bound. It is carried along like any other variable.
    */
   focus?: string;
+  /** Give out the surface that the reduction passes on its way, too: `Reduction.waypoint`, for `reduceOnward`. Default: false. */
+  waypoint?: boolean;
   /**
    * Hand the mesh's arrays over instead of copying them: they are detached (empty) afterwards. Saves one copy of a large
    * mesh. Default: false, they stay the caller's.
@@ -77,7 +79,13 @@ export interface ReduceOptions {
   onProgress?: (progress: number) => void;
 }
 
-export interface LevelsOptions extends Omit<ReduceOptions, 'bounds'> {
+/** What can be asked of a reduction that goes on from a waypoint; what only the original can tell cannot. */
+export type OnwardOptions = Omit<
+  ReduceOptions,
+  'countFolds' | 'limitToFeatureSize' | 'dropSmallParts' | 'focus' | 'waypoint' | 'transfer'
+>;
+
+export interface LevelsOptions extends Omit<ReduceOptions, 'bounds' | 'waypoint'> {
   /** The bounds of each level, finest first. From level to level no bound may fall, and at least one must rise. */
   levels: Record<string, Bound>[];
   /** Tracked errors only: make the morphs between neighbours too; a few more triangles may stay. Default: false. */
@@ -139,7 +147,10 @@ export interface Report {
   /** Tracked errors only: into how many cells the map cuts the original, and how many of them it turns over. */
   cells: number;
   foldedCells: number;
-  stopped: 'finished' | 'cancelled';
+  /** `on_the_way`: of a waypoint. */
+  stopped: 'finished' | 'cancelled' | 'on_the_way';
+  /** Errors are upper bounds, sums over a waypoint and the way on from there (`reduceOnward`). */
+  summed: boolean;
   /** Wall time of the call in the core; of a level that of all levels. */
   seconds: number;
 }
@@ -178,16 +189,26 @@ export interface VertexErrors {
   signedError: Float32Array;
 }
 
-export interface Reduction {
+/**
+ * A surface on the way of a reduction, or its result: what is left of the original, and by its report how far from that it
+ * may lie by now. From there `reduceOnward` goes on.
+ */
+export interface Waypoint {
   mesh: Mesh;
-  /** For each vertex of the reduced mesh its index in the input. */
+  /** For each of its vertices the index in the original, rising. */
   vertices: Uint32Array;
+  /** Its errors are what was spent. */
+  report: Report;
+}
+
+export interface Reduction extends Waypoint {
   /** Position first, then the mesh's variables in their order. */
   triangleErrors: TriangleErrors[];
   /** Tracked errors only: the map, and the errors at the input's vertices (position first, then the variables). */
   map?: SurfaceMap;
   vertexErrors?: VertexErrors[];
-  report: Report;
+  /** Where `ReduceOptions.waypoint` asks for it: the surface before the last sweep, within an eighth of every bound. */
+  waypoint?: Waypoint;
 }
 
 /** Of a reduction what says where the mesh went that was reduced: the triangles, where they come from, and the map. */

@@ -12,6 +12,9 @@ function perform(core: Core, { task, cancel }: Request, port: ParentPort): Outco
     port.post({ progress });
     return !isRaised(cancel);
   };
+  if (task.kind === 'reduceOnward') {
+    return core.reduceOnward(task.waypoint, task.options, goOn);
+  }
   if (task.kind === 'reduceLevels') {
     return core.reduceLevels(task.mesh, task.options, goOn);
   }

@@ -3,8 +3,8 @@ import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { reduce, reduceLevels } from '../../wasm/index.ts';
-import type { Levels, Mesh, MorphEnd, ReduceOptions, Reduction, SurfaceMap } from '../../wasm/types.ts';
+import { reduce, reduceLevels, reduceOnward } from '../../wasm/index.ts';
+import type { Levels, Mesh, MorphEnd, ReduceOptions, Reduction, SurfaceMap, Waypoint } from '../../wasm/types.ts';
 import { differences, type LabelledArrays, type NumberArray, readLabelledArrays } from './labelled-arrays.ts';
 
 const program = 'build/native/tests/native_reduction';
@@ -175,6 +175,18 @@ describe.skipIf(!existsSync(program))('the native and the WebAssembly build give
       const nested = await reduceLevels(meshOf(read(`${name}.mesh`)), { levels, morphs: true });
       const different = differences(levelArrays(nested), read(`${name}.levels`));
       found.push(...different.map((array) => `${name}: ${array}`));
+    }
+    expect(found).toEqual([]);
+  });
+
+  test('onward from a waypoint', async () => {
+    const names = readdirSync(folder).filter((file) => file.endsWith('.onward'));
+    expect(names.length).toBeGreaterThan(15);
+    const found: string[] = [];
+    for (const name of names.map((file) => basename(file, '.onward'))) {
+      const { waypoint } = await reduce(meshOf(read(`${name}.kept.mesh`)), { bounds, waypoint: true });
+      const onward = await reduceOnward(waypoint as Waypoint, { bounds: fractions(0.03, 0.06) });
+      found.push(...differences(arraysOf(onward), read(`${name}.onward`)).map((array) => `${name}: ${array}`));
     }
     expect(found).toEqual([]);
   });

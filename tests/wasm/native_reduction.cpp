@@ -2,8 +2,8 @@
 ///
 ///     native_reduction FOLDER
 ///
-/// FOLDER gets, for each mesh, NAME.mesh and one file of the result a mode and a setting, NAME.SETTING.MODE, and NAME.levels
-/// of levels of detail; of the setting "kept", whose meshes have labels and a variable that multiplies bounds, NAME.kept.mesh:
+/// FOLDER gets, for each mesh, NAME.mesh and one file of the result a mode and a setting, NAME.SETTING.MODE, NAME.levels of
+/// levels of detail and NAME.onward of a reduction that goes on from the waypoint of another one; of the setting "kept", whose meshes have labels and a variable that multiplies bounds, NAME.kept.mesh:
 /// arrays one after the other, each a line "name type count" and then its bytes (tests/wasm/labelled-arrays.ts reads them).
 
 #include <algorithm>
@@ -243,6 +243,15 @@ void reduce_to_levels(const std::string& path, const Mesh& mesh) {
     write_levels(path + ".levels", levels);
 }
 
+void go_onward(const std::string& path, const Mesh& mesh) {
+    Waypoint waypoint;
+    Reduction reduction;
+    Status status = reduce(mesh, fractions(0.01, 0.03), {}, reduction, {}, &waypoint);
+    if (status.ok()) status = reduce_onward(waypoint, fractions(0.03, 0.06), {}, reduction);
+    if (!status.ok()) throw std::runtime_error(path + ": " + status.message);
+    write_reduction(path + ".onward", reduction);
+}
+
 std::vector<meshes::Exhibit> exhibits() {
     std::vector<meshes::Exhibit> all = meshes::gallery();
     // Small beside the wave of the usual fields, so that some of it can go.
@@ -272,6 +281,7 @@ int main(int, char** argv) {
             write_input(path + ".kept", labelled);
             reduce_in_every_mode(path, labelled, kept(labelled));
             reduce_to_levels(path, exhibit.mesh);
+            go_onward(path, labelled);
         }
     } catch (const std::exception& error) {
         std::cerr << error.what() << "\n";

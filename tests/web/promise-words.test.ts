@@ -42,6 +42,7 @@ function report(variables: VariableReport[], refused: Partial<Report['refused']>
     cells: 0,
     foldedCells: 0,
     stopped: 'finished',
+    summed: false,
     seconds: 0.3,
   };
 }
