@@ -8,16 +8,19 @@
 namespace meshbound {
 namespace {
 
-/// How a round is cut: as many patches as keep many threads busy, as few as leave little on the cuts, and at most 256.
+/// How a round is cut: into as many patches as keep many threads busy, and as few as leave little on the cuts.
 struct Cutting {
     std::size_t least;    // a smaller round is taken whole
     std::size_t in_patch; // vertices in a patch, at least
+    int deepest;          // 2^deepest patches at most
 };
-constexpr int deepest_cut = 8;
 
-/// Where changed vertices wait, patches change nothing. The last sweep advances in fronts, which are worth 10 % of the
-/// triangles and break at the cuts: patches so large lose 1 %.
-constexpr Cutting cutting_in_rounds = {1024, 256}, cutting_in_fronts = {8192, 4096};
+/// Where changed vertices wait, patches change nothing.
+constexpr Cutting cutting_in_rounds = {1024, 256, 8};
+
+/// The last sweep advances in fronts, which are worth 10 % of the triangles and break where one begins at a cut: two, which
+/// begin at opposite ends of the surface and meet at its middle, leave 0.2 % more than one.
+constexpr Cutting cutting_in_fronts = {2048, 1024, 1};
 
 /// So many rounds does a patch go on by itself, while its part of the surface is at hand in the cache.
 constexpr std::uint32_t rounds_in_patch = 4;
@@ -28,9 +31,9 @@ bool changed_wait(Removal::Effort effort) { return effort == Removal::Effort::be
 
 const Cutting& cutting(Removal::Effort effort) { return changed_wait(effort) ? cutting_in_rounds : cutting_in_fronts; }
 
-int depth_of_cut(std::size_t vertices, std::size_t in_patch) {
+int depth_of_cut(std::size_t vertices, const Cutting& cutting) {
     int depth = 1;
-    while (depth < deepest_cut && (vertices >> (depth + 1)) >= in_patch) ++depth;
+    while (depth < cutting.deepest && (vertices >> (depth + 1)) >= cutting.in_patch) ++depth;
     return depth;
 }
 
@@ -117,9 +120,10 @@ bool Sweeper::take_whole(const Sweep& sweep, const Queue& round) {
 
 bool Sweeper::take_in_patches(const Sweep& sweep, const Queue& round) {
     gather_team();
-    const Patches patches(rows_, round, depth_of_cut(round.size(), cutting(sweep.effort).in_patch), cuts_++);
+    const Patches patches(rows_, round, depth_of_cut(round.size(), cutting(sweep.effort)), cuts_++);
     std::vector<Patch> cut(patches.count());
     for (const std::uint32_t vertex : round) cut[patches.at(rows_.position(vertex))].vertices.push_back(vertex);
+    if (!changed_wait(sweep.effort)) std::reverse(cut.back().vertices.begin(), cut.back().vertices.end());
     team_.run(cut.size(), [&](std::size_t member, std::size_t number) {
         if (!take_patch(sweep, patches, number, member, cut[number])) cancelled_ = true;
     });
