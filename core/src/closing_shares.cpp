@@ -50,7 +50,7 @@ double ClosingShares::share_of(const std::vector<Copy>& copies, double squared_l
     const double laid_out = first.part->content->vertices()[first.inner].share;
     const double share = first.forward ? laid_out : 1 - laid_out;
     const double here = error(copies, share);
-    if (!choose_ || !(here > content_with * content_with * squared_limit)) return share;
+    if (!choose_ || !(here > squared_limit)) return share;
     PlaneProducts sum;
     for (const Copy& copy : copies) {
         const double* row = rows_[copy.part->content->vertices()[copy.inner].vertex];

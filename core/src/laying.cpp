@@ -66,10 +66,9 @@ bool Laying::lay_piece(const Piece& piece, WorstError& worst) {
     for (const HoleTree::Step& step : tree_->way(from, piece.start.ring, to, piece.end.ring))
         crossings_.push_back({step.triangle, 0, 0, step.into});
     cross_straight(piece, first);
-    const double threshold = content_with * content_with * worst.squared_limit();
     for (std::size_t n = first; n < crossings_.size(); ++n) {
         double here = error(piece, crossings_[n]);
-        if (choose_crossings_ && here > threshold) choose(piece, first, n, worst.squared_limit(), here);
+        if (choose_crossings_ && here > worst.squared_limit()) choose(piece, first, n, worst.squared_limit(), here);
         if (!worst.take(here, difference(piece, crossings_[n]))) return false;
     }
     return true;
@@ -108,7 +107,7 @@ void Laying::choose(const Piece& piece, std::size_t first, std::size_t n, double
     const JointSegment diagonal{rows_[hole_->ring[at(triangle.a)]], rows_[hole_->ring[at(triangle.b)]]};
     const auto nearest = [&](const PlaneProducts& products) { return nearest_parameters(products, low, high); };
     take_better(piece, nearest(products_of(rows_, original, diagonal)), crossing, error);
-    if (error <= tight * tight * squared_limit) return;
+    if (error <= squared_limit) return;
     minimax_.enter(between(original, diagonal));
     Minimax::Place best{{crossing.s, crossing.t}, rows_.squared_ratio(difference(piece, crossing))};
     minimax_.improve(best, nearest);

@@ -21,7 +21,7 @@ struct NewCrossing {
 };
 
 /// How the pieces of original edges in a hole are laid over its new triangles: each runs from the triangle of its start to
-/// that of its end, straight in the layout or, where the map is free and the error high, where it is smallest.
+/// that of its end, straight in the layout or, where the error is above the limit there and the map is free, where it is smallest.
 class Laying {
 public:
     Laying(const MeasuredRows& rows, const TrackedMap& map, bool choose_crossings)

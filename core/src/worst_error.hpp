@@ -29,12 +29,4 @@ private:
     Measured measured_;
 };
 
-/// Places whose error is below this fraction of the limit are left where the layout puts them: looking further costs time and
-/// makes folds in the map for nothing.
-inline constexpr double content_with = 0.3;
-
-/// Where the sum of squares leaves an error above this fraction of the limit, a place is chosen by the largest ratio, which
-/// takes several times as long. Lower ones leave no fewer triangles.
-inline constexpr double tight = 0.8;
-
 } // namespace meshbound
