@@ -3,15 +3,17 @@
 #include <bit>
 
 #include "indexing.hpp"
+#include "joint_space.hpp"
+#include "layout.hpp"
 #include "overlap.hpp"
 #include "plane.hpp"
 
 namespace meshbound {
 namespace {
 
-/// Of the vertices in a hole no more than about this many are asked: enough to tell good triangulations from bad ones (all
-/// of them leave no fewer triangles), few enough not to be what the time goes into. At most 64, a bit each.
-constexpr std::size_t vertices_asked = 32;
+/// Of the vertices in a hole no more than about this many are asked, which is enough to tell good triangulations from bad
+/// ones: 32 leave 0.5 % fewer triangles and take a sixth more time. At most 64, a bit each.
+constexpr std::size_t vertices_asked = 8;
 
 } // namespace
 
@@ -70,14 +72,14 @@ double TrackedCost::triangle(int a, int m, int b, double limit) {
     const int size = hole_->size();
     std::uint64_t inside = left_[at(a * size + m)] & left_[at(m * size + b)] & right_[at(a * size + b)];
     if (!inside) return 0;
-    const JointTriangle joint(*products_, a, m, b);
+    const std::vector<glm::dvec2>& places = hole_->places;
     double sum = 0;
     for (; inside && sum < limit; inside &= inside - 1) {
-        const std::size_t vertex = sample_[static_cast<std::size_t>(std::countr_zero(inside))];
-        const glm::dvec3 w = joint.nearest(products_->vertex(vertex)).weight;
-        const std::uint32_t original = (*inner_)[vertex].vertex;
-        const double ratio = rows_.squared_ratio(rows_[original], row(a), row(m), row(b), w.x, w.y, w.z);
-        sum += rows_.multipliers().scale_at(original, ratio);
+        const auto& [vertex, host, rim, place, share, settled] =
+            (*inner_)[sample_[static_cast<std::size_t>(std::countr_zero(inside))]];
+        const glm::dvec3 w = clamped_barycentric(place, places[at(a)], places[at(m)], places[at(b)]);
+        const double ratio = rows_.squared_ratio(rows_[vertex], row(a), row(m), row(b), w.x, w.y, w.z);
+        sum += rows_.multipliers().scale_at(vertex, ratio);
     }
     return sum;
 }

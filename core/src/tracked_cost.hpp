@@ -10,9 +10,9 @@
 
 namespace meshbound {
 
-/// What a retriangulation is charged for when errors are tracked: the squared errors, against the original, that the vertices
-/// in the hole could have at their best places in each triangle, and those between each diagonal and the spokes that it
-/// crosses, at their nearest places. Leaves 4 % fewer triangles than the introduced errors of §3.4.1.
+/// What a retriangulation is charged for when errors are tracked: the squared errors, against the original, of the vertices in
+/// the hole where the layout puts them in each triangle, and those between each diagonal and the spokes that it crosses, at
+/// their nearest places. Leaves 4 % fewer triangles than the introduced errors of §3.4.1.
 class TrackedCost final : public HoleCost {
 public:
     TrackedCost(const MeasuredRows& rows, HoleProducts& products) : rows_(rows), products_(&products) {}
