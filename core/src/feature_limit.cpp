@@ -1,9 +1,10 @@
 #include "feature_limit.hpp"
 
 #include <algorithm>
-#include <sstream>
+#include <string>
 
 #include "meshbound/feature_size.hpp"
+#include "number_text.hpp"
 #include "rows.hpp"
 
 namespace meshbound {
@@ -16,10 +17,11 @@ constexpr double share_of_search = 0.1;
 constexpr std::size_t work_a_report = 64;
 
 Status too_fine(double size) {
-    std::ostringstream text;
-    text << "Two lobes of the surface are " << size
-         << " apart; a bound of \"position\" that is half of that is finer than double precision can carry.";
-    return {Fault::bound_too_fine, text.str(), "position", {}};
+    return {Fault::bound_too_fine,
+            "Two lobes of the surface are " + number_text(size) +
+                " apart; a bound of \"position\" that is half of that is finer than double precision can carry.",
+            "position",
+            {}};
 }
 
 } // namespace

@@ -2,13 +2,13 @@
 
 #include <new>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 
 #include "check_options.hpp"
 #include "feature_limit.hpp"
 #include "focus.hpp"
+#include "number_text.hpp"
 #include "reduction_run.hpp"
 #include "ticker.hpp"
 
@@ -19,12 +19,6 @@ using LevelBounds = std::vector<std::vector<ResolvedBound>>;
 
 /// Levels by their number from 1, as people count them.
 std::string name_of(std::size_t level) { return "level " + std::to_string(level + 1); }
-
-std::string text_of(double bound) {
-    std::ostringstream text;
-    text << bound;
-    return text.str();
-}
 
 const std::string& variable_name(const Mesh& mesh, std::size_t i) {
     return i == 0 ? mesh.position.name : mesh.variables[i - 1].name;
@@ -39,8 +33,8 @@ Status check_step(const Mesh& mesh, const LevelBounds& bounds, std::size_t level
         if (coarser >= finer) continue;
         const std::string& name = variable_name(mesh, i);
         return {Fault::bad_levels,
-                "The bound of \"" + name + "\" falls from " + text_of(finer) + " in " + name_of(level - 1) + " to " +
-                    text_of(coarser) + " in " + name_of(level) +
+                "The bound of \"" + name + "\" falls from " + number_text(finer) + " in " + name_of(level - 1) +
+                    " to " + number_text(coarser) + " in " + name_of(level) +
                     "; levels go from fine to coarse, so no bound may fall.",
                 name, level};
     }
