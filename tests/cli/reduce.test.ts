@@ -460,6 +460,46 @@ test('cell data part the surface into regions, which keep their borders and thei
   );
 });
 
+test('materials of an OBJ file part the surface into regions, are locked and written by their names', async () => {
+  const { position, triangles } = original;
+  const row = (values: ArrayLike<number>, at: number) => [0, 1, 2].map((i) => values[3 * at + i]);
+  const lines = Array.from({ length: position.length / 3 }, (_, point) => `v ${row(position, point).join(' ')}`);
+  for (let triangle = 0; triangle < triangles.length / 3; triangle++) {
+    lines.push(`usemtl ${triangle % 32 < 16 ? 'left' : 'right side'}`);
+    lines.push(
+      `f ${row(triangles, triangle)
+        .map((corner) => corner + 1)
+        .join(' ')}`,
+    );
+  }
+  folder.write('materials.obj', [...lines, ''].join('\n'));
+  const run = (output: string, ...args: string[]) =>
+    folder.run('reduce', 'materials.obj', '-o', output, '-b', '*=8%', '--region', 'material', ...args);
+  const report = ['--report', 'report.json'];
+  const { status, stdout, stderr } = await run('out.obj', '--lock-region', 'right side', ...report);
+  expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+  expect(stdout).toMatch(/^ {2}2 right side +256 +256 /m);
+  const { regions, options } = JSON.parse(folder.text('report.json'));
+  expect(regions).toMatchObject([
+    { label: 1, name: 'left' },
+    { label: 2, name: 'right side', triangles: { before: 256, after: 256 } },
+  ]);
+  expect(regions[0].triangles.after).toBeLessThan(128);
+  expect(options.lockRegions).toEqual(['right side']);
+  const { mesh, regions: labels, regionNames } = await folder.read('out.obj');
+  expect(labels?.get('material')?.length).toBe(mesh.triangles.length / 3);
+  const names = regionNames?.get('material');
+  labels?.get('material')?.forEach((label, triangle) => {
+    const across = row(mesh.triangles, triangle).map((corner) => mesh.position[3 * corner]);
+    if (names?.get(label) === 'left') expect(Math.max(...across)).toBeLessThanOrEqual(0.5);
+    else expect(Math.min(...across)).toBeGreaterThanOrEqual(0.5);
+  });
+  expect((await run('out.vtp', '--lock-region', '2')).stderr).toContain('out.vtp: VTP has no place for the names of');
+  const missing = await run('out.obj', '--lock-region', 'middle');
+  expect(missing.status).toBe(2);
+  expect(missing.stderr).toContain('there is no region “middle” in “material”; they are “left”, “right side”.');
+});
+
 test('the report and the summary tell how much of each region is left', async () => {
   const half = original.triangles.length / 6;
   const regions = Int32Array.from({ length: 2 * half + 1 }, (_, triangle) =>

@@ -264,6 +264,27 @@ test('regions keep their borders and labels, and those that are locked stay', as
   expect((await readSurface(name, bytes)).regions?.get('material')).toEqual(original.regions);
 });
 
+test('materials of an OBJ file are regions by their names', async () => {
+  const { position, triangles, regions } = original;
+  const rows = Array.from({ length: triangles.length / 3 }, (_, triangle) => {
+    const corners = [...triangles.subarray(3 * triangle, 3 * triangle + 3)].map((corner) => corner + 1);
+    return `usemtl part ${regions?.[triangle]}\nf ${corners.join(' ')}`;
+  });
+  const text = [...placesOf({ position } as Mesh).map((place) => `v ${place.join(' ')}`), ...rows, ''].join('\n');
+  await chooseFile(page(), 'materials.obj', Buffer.from(text));
+  await expect(page().getByText('can part the surface into regions')).toBeVisible();
+  await page().getByLabel('Regions from').selectOption('material');
+  await expect(page().getByText('can part the surface into regions')).toHaveCount(0);
+  await page().getByRole('group', { name: 'Locked regions' }).getByLabel('part 5').check();
+  await reducedAsAsked();
+  const { bytes } = await saved(page(), 'obj');
+  const back = await readSurface('a.obj', bytes);
+  const inFive = [...(back.regionNames?.get('material') ?? [])].find(([, name]) => name === 'part 5')?.[0];
+  const kept = back.regions?.get('material')?.filter((label) => label === inFive).length;
+  expect(kept).toBe(regions?.filter((label) => label === 5).length);
+  expect(back.mesh.triangles.length).toBeLessThan(triangles.length / 2);
+});
+
 test('a variable multiplies the bounds at every point, and the colours count against what it makes of them', async () => {
   await page().getByLabel('Multiply by').selectOption('sharpness');
   await expect(sentence(page())).toContainText('times the multiplier there: proved');

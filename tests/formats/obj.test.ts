@@ -89,6 +89,53 @@ describe('OBJ', () => {
     expect(notes).toEqual(['2 repeated points welded.']);
   });
 
+  it('takes materials for labels of the triangles, by their names, and writes them', async () => {
+    const text = `mtllib a.mtl\n${points}usemtl unused\nusemtl dark red\nf 1 2 3 4\nusemtl blue\nf 1 3 4\nusemtl dark red\nf 1 2 3\n`;
+    const { mesh, regions, regionNames, summary } = await read(text);
+    expect(regions).toEqual(new Map([['material', Int32Array.of(1, 1, 2, 1)]]));
+    expect(regionNames?.get('material')).toEqual(
+      new Map([
+        [1, 'dark red'],
+        [2, 'blue'],
+      ]),
+    );
+    expect(summary).toContain('Not carried: what materials look like.');
+    expect(summary).toContain('Not carried: cell data “material”.');
+    const asRegions = { ...mesh, regions: Int32Array.of(2, 1, 1, 2) };
+    for (const [written, options, labels] of [
+      [asRegions, { regionName: 'material', regionNames }, [1, 2, 2, 1]],
+      [mesh, { cellData: regions, regionNames }, [1, 1, 2, 1]],
+    ] as const) {
+      expect(await lossesOf('obj', written, options)).toEqual([]);
+      const back = await readSurface('mesh.obj', await writeSurface('obj', written, options));
+      expect(back.mesh.triangles).toEqual(mesh.triangles);
+      expect(back.regions).toEqual(new Map([['material', Int32Array.from(labels)]]));
+      expect([...(back.regionNames?.get('material')?.values() ?? [])]).toEqual(
+        labels[0] === labels[1] ? ['dark red', 'blue'] : ['blue', 'dark red'],
+      );
+      expect((await lossesOf('vtp', written, options)).join()).toBe(
+        'VTP has no place for the names of what is in the cell data “material”.',
+      );
+    }
+    const [loss] = await lossesOf('glb', mesh, { cellData: regions, regionNames });
+    expect(loss).toBe('GLB has no place for the cell data “material”.');
+  });
+
+  it('labels faces before the first material, too; one material parts nothing', async () => {
+    const { regions, regionNames } = await read(`${points}f 1 2 3\nusemtl none\nf 1 3 4\n`);
+    expect(regions?.get('material')).toEqual(Int32Array.of(0, 1));
+    expect(regionNames?.get('material')).toEqual(
+      new Map([
+        [0, 'none_'],
+        [1, 'none'],
+      ]),
+    );
+    const one = await read(`usemtl red\n${points}f 1 2 3\nf 1 3 4\n`);
+    expect(one.regions).toBeUndefined();
+    expect(one.summary).toBe('Not carried: the material.');
+    expect((await read(`${points}f 1 2 3\nf 1 3 4\nusemtl red\n`)).summary).toBe('');
+  });
+
   it('names what it does not carry', async () => {
     const text = `mtllib a.mtl\no thing\n${points}v 2 2 2 1 1 1\nvt 0 0\nusemtl red\ng group\ns off\nl 1 2\nf 1/1 2/1 3/1\nf 1 3 4\n`;
     const { summary } = await read(text);

@@ -15,7 +15,8 @@ export interface Keeping {
   /** Whether parts smaller than the bound of position go. */
   dropSmallParts: boolean;
   points: PointRange[];
-  lockedRegions: Int32Array;
+  /** Their numbers, or what they are called. */
+  regionsToLock: (number | string)[];
   lockedBoxes: Box[];
 }
 
@@ -28,11 +29,10 @@ export function parsePoints(list: string): PointRange[] {
   }
 }
 
-/** The number of a region. Throws a UsageFault. */
-export function parseLabel(text: string): number {
+/** The number of a region, or else its name. */
+export function parseRegion(text: string): number | string {
   const label = Number(text);
-  if (text.trim() !== '' && Number.isInteger(label) && Math.abs(label) < 2 ** 31) return label;
-  throw new UsageFault(`--lock-region cannot be ${quoted(text)}; it is the number of a region.`);
+  return text.trim() !== '' && Number.isInteger(label) && Math.abs(label) < 2 ** 31 ? label : text;
 }
 
 /** A box, `0,0,0,1,1,1`. Throws a UsageFault. */
@@ -60,18 +60,26 @@ export function requireFocus(
 }
 
 /**
- * What the core is to keep: what the surface itself needs, and what the command line adds. Throws a Fault for a point that
- * the surface has not.
+ * What the core is to keep: what the surface itself needs, and what the command line adds. Throws a Fault for a point or the
+ * name of a region that the surface has not.
  */
-export function settingsOf(
-  { points, region, ...settings }: Keeping,
-  { path, mesh, locked = new Uint32Array() }: OpenedSurface,
-) {
+export function settingsOf({ points, region, regionsToLock, ...settings }: Keeping, surface: OpenedSurface) {
+  const { path, mesh, locked = new Uint32Array() } = surface;
   const added = lockedPoints(points, path, mesh.position.length / 3);
   const all = new Uint32Array(locked.length + added.length);
   all.set(locked);
   all.set(added, locked.length);
-  return { ...settings, locked: all };
+  const lockedRegions = Int32Array.from(regionsToLock, (each) => labelOf(each, surface));
+  return { ...settings, locked: all, lockedRegions };
+}
+
+function labelOf(wanted: number | string, { path, regionName = '', regionNames }: OpenedSurface): number {
+  if (typeof wanted === 'number') return wanted;
+  const names = [...(regionNames?.get(regionName) ?? [])];
+  const found = names.find(([, name]) => name === wanted);
+  if (found) return found[0];
+  const known = names.length > 0 ? `they are ${listed(names.map(([, name]) => name))}` : 'they are numbers';
+  throw new Fault(`${path}: there is no region ${quoted(wanted)} in ${quoted(regionName)}; ${known}.`);
 }
 
 function lockedPoints(ranges: readonly PointRange[], path: string, count: number): number[] {

@@ -2,7 +2,7 @@ import type { Report } from '../../wasm/index.ts';
 import { counted, grouped } from '../formats/wording.ts';
 import { type ReportOptions, reportJson, type Seams } from '../session/report-json.ts';
 import type { Bounds } from './bound-arguments.ts';
-import { regionLines } from './region-text.ts';
+import { type RegionNames, regionLines } from './region-text.ts';
 import { numberText, roundedUpText, textTable } from './text-table.ts';
 import { turnLines } from './turn-text.ts';
 
@@ -14,16 +14,16 @@ export interface LevelReport {
 }
 
 /** What `--report` writes of levels: for each what it writes of one, and its file; documented in docs/command-line.md. */
-export function levelsJson(levels: LevelReport[], options: ReportOptions, seams: Seams): string {
+export function levelsJson(levels: LevelReport[], options: ReportOptions, seams: Seams, names?: RegionNames): string {
   const entries = levels.map(({ file, bounds, report }) => ({
     file,
-    ...JSON.parse(reportJson(report, { ...options, bounds }, seams)),
+    ...JSON.parse(reportJson(report, { ...options, bounds }, seams, names)),
   }));
   return `${JSON.stringify({ levels: entries }, undefined, 2)}\n`;
 }
 
 /** The same for people. */
-export function levelsText(levels: LevelReport[]): string {
+export function levelsText(levels: LevelReport[], names?: RegionNames): string {
   const [{ report: first }] = levels;
   const { before } = first.triangles;
   const rows = levels.map(({ file, report: { triangles, variables } }, i) => {
@@ -41,6 +41,6 @@ export function levelsText(levels: LevelReport[]): string {
     `${counted(before, 'triangle')} -> ${counted(levels.length, 'level')} in ${first.seconds.toFixed(2)} s`,
     textTable([['level', 'triangles', 'removed', 'position error', 'most of a bound used'], ...rows]),
     ...levels.flatMap(({ report }, i) => turnLines(report).map((line) => `Level ${i + 1}: ${line}`)),
-    ...regionLines(first.regions.length > 0 ? levels[levels.length - 1].report.regions : []),
+    ...regionLines(first.regions.length > 0 ? levels[levels.length - 1].report.regions : [], names),
   ].join('\n');
 }

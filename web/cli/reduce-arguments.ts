@@ -2,7 +2,7 @@ import type { ReportOptions } from '../session/report-json.ts';
 import { oneOf, parseArguments } from './arguments.ts';
 import { type Bounds, parseBounds } from './bound-arguments.ts';
 import { UsageFault } from './fault.ts';
-import { type Keeping, parseBox, parseFocus, parseLabel, parsePoints } from './keeping-arguments.ts';
+import { type Keeping, parseBox, parseFocus, parsePoints, parseRegion } from './keeping-arguments.ts';
 import { levelPaths, parseLevels } from './level-arguments.ts';
 import { outputFormat } from './surface-files.ts';
 
@@ -24,15 +24,15 @@ Options:
                           propagated: added up from removal to removal, as in the paper; more triangles stay
   --cost WHAT             with propagated errors, what the choice among retriangulations makes small:
                           introduced (default): the error of this removal; max: the error so far
-  --region NAME           cell data of IN (whole numbers; of .ply a property of the faces) that part the surface into
-                          regions: their borders are kept within the bounds, each side keeps its number; written
-                          to .vtp, .vtk and .ply
+  --region NAME           cell data of IN (whole numbers; of .ply a property of the faces, of .obj the material) that
+                          part the surface into regions: their borders are kept within the bounds, each side keeps
+                          its number; written to .vtp, .vtk and .ply, materials to .obj, too
   --refuse-piercing       let no part of the surface pierce another that passes near; takes about half as long again
   --limit-to-feature-size limit the bound of position to half the distance of the nearest parts that face each other
   --focus NAME            a variable of one component, above zero, that multiplies every bound: finer where it is small
   --drop-small            leave out parts that are smaller than the bound of position; says how many
   --lock-points LIST      points that stay, counted from 0: 3,17,20-40
-  --lock-region NUMBER    a region that stays as it is (with --region), as often as needed
+  --lock-region NUMBER    a region that stays as it is (with --region), as often as needed; of .obj its name will do
   --lock-box X,Y,Z,X,Y,Z  lowest and highest corner of a box: every triangle that meets it stays as it is; as often as
                           needed (--lock-box=-1,… where it begins with a minus)
   --map FILE              also write the original with where each vertex went, and what error it has there
@@ -112,7 +112,7 @@ export function parseRequest(args: string[]): Request {
     focus: parseFocus(values.focus),
     dropSmallParts: values['drop-small'],
     points: values['lock-points'].flatMap(parsePoints),
-    lockedRegions: Int32Array.from(values['lock-region'].map(parseLabel)),
+    regionsToLock: values['lock-region'].map(parseRegion),
     lockedBoxes: values['lock-box'].map(parseBox),
   };
   return {
@@ -130,7 +130,7 @@ export function parseRequest(args: string[]): Request {
       focus: keeping.focus ?? null,
       region: keeping.region ?? null,
       lockPoints: values['lock-points'],
-      lockRegions: [...keeping.lockedRegions],
+      lockRegions: keeping.regionsToLock,
       lockBoxes: keeping.lockedBoxes,
     },
     levels,

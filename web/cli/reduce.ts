@@ -23,6 +23,7 @@ import { levelsJson, levelsText } from './level-report.ts';
 import { sayNotes } from './notes.ts';
 import { ProgressBar } from './progress-bar.ts';
 import { help, parseRequest, type Request } from './reduce-arguments.ts';
+import type { RegionNames } from './region-text.ts';
 import { freeNotes, reportText } from './report.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
@@ -74,6 +75,10 @@ function seamsOf({ seamPoints = 0, locked }: OpenedSurface): Seams {
   return { points: seamPoints, touching: locked?.length ?? 0 };
 }
 
+function namesOf({ regionNames, regionName }: OpenedSurface): RegionNames | undefined {
+  return regionName === undefined ? undefined : regionNames?.get(regionName);
+}
+
 /** What there is to say when all files are written. */
 interface Outcome {
   report: Report;
@@ -93,8 +98,8 @@ async function writeResult(files: StagedFiles, request: Request, surface: Opened
     await files.write(path, bytes);
     notes.push([path, losses]);
   }
-  if (report) await files.write(report, reportJson(reduction.report, options, seamsOf(surface)));
-  return { report: reduction.report, notes, text: reportText(reduction.report, options) };
+  if (report) await files.write(report, reportJson(reduction.report, options, seamsOf(surface), namesOf(surface)));
+  return { report: reduction.report, notes, text: reportText(reduction.report, options, namesOf(surface)) };
 }
 
 /** The same for levels of detail. */
@@ -110,8 +115,8 @@ async function writeLevels(
     bounds: levels[i],
     report: level.report,
   }));
-  if (report) await files.write(report, levelsJson(reports, options, seamsOf(surface)));
-  return { report: reports[0].report, notes, text: levelsText(reports) };
+  if (report) await files.write(report, levelsJson(reports, options, seamsOf(surface), namesOf(surface)));
+  return { report: reports[0].report, notes, text: levelsText(reports, namesOf(surface)) };
 }
 
 async function reduceAndWrite(

@@ -2,12 +2,12 @@ import type { Report } from '../../wasm/index.ts';
 import { counted, grouped, listed } from '../formats/wording.ts';
 import type { ReportOptions } from '../session/report-json.ts';
 import { boundOf } from './bound-arguments.ts';
-import { regionLines } from './region-text.ts';
+import { type RegionNames, regionLines } from './region-text.ts';
 import { numberText, roundedUpText, textTable } from './text-table.ts';
 import { turnLines } from './turn-text.ts';
 
 /** The same for people. */
-export function reportText(report: Report, { bounds }: Pick<ReportOptions, 'bounds'>): string {
+export function reportText(report: Report, { bounds }: Pick<ReportOptions, 'bounds'>, names?: RegionNames): string {
   const {
     triangles: { before, after },
     variables,
@@ -26,7 +26,7 @@ export function reportText(report: Report, { bounds }: Pick<ReportOptions, 'boun
     `${grouped(before)} -> ${counted(after, 'triangle')} (${removed} % removed) in ${seconds.toFixed(2)} s`,
     textTable([['variable', 'bound', '', 'error', 'error/bound'], ...rows]),
     ...turnLines(report),
-    ...regionLines(regions),
+    ...regionLines(regions, names),
   ].join('\n');
 }
 

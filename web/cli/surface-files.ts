@@ -51,13 +51,14 @@ export function outputFormat(path: string): Format {
 export function encodeSurface(
   path: string,
   mesh: Mesh,
-  { units, componentNames, regionName, cellData }: Labels & Pick<WriteOptions, 'regionName' | 'cellData'>,
+  { units, componentNames, regionNames, regionName, cellData }: Labels & Pick<WriteOptions, 'regionName' | 'cellData'>,
 ): Promise<{ bytes: Uint8Array; losses: string[] }> {
   const format = outputFormat(path);
   const gzip = /\.gz$/i.test(path);
+  const labels = { units, componentNames, regionNames, regionName, cellData };
   return named(path, async () => ({
-    bytes: await writeSurface(format, mesh, { units, componentNames, gzip, regionName, cellData }),
-    losses: await lossesOf(format, mesh, { units, componentNames, cellData }),
+    bytes: await writeSurface(format, mesh, { ...labels, gzip }),
+    losses: await lossesOf(format, mesh, labels),
   }));
 }
 

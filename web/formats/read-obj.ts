@@ -2,8 +2,10 @@ import type { Mesh, Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
 import { GrowingIndices, GrowingNumbers, GrowingPolygons } from './growing-arrays.ts';
 import { checkCorners, type Polygons, triangulate } from './polygons.ts';
+import { regionNotes } from './region-notes.ts';
 import type { Surface } from './surface.ts';
 import { cutNotes, numbersFrom, type TextLine, textLines } from './text-lines.ts';
+import { labelsOfTriangles } from './vtk-pieces.ts';
 import { gather } from './weld.ts';
 import { weldedSurface } from './welded-surface.ts';
 import { counted, quoted } from './wording.ts';
@@ -28,8 +30,7 @@ const ignored = new Set(['s', 'mg', 'bevel', 'c_interp', 'd_interp', 'lod', 'sha
 const lossy = new Map([
   ['o', 'object names'],
   ['g', 'groups'],
-  ['usemtl', 'materials'],
-  ['mtllib', 'materials'],
+  ['mtllib', 'what materials look like'],
   ['usemap', 'textures'],
   ['maplib', 'textures'],
   ['l', 'lines'],
@@ -37,6 +38,40 @@ const lossy = new Map([
 ]);
 const freeForm = 'vp deg bmat step cstype curv curv2 surf parm trim hole scrv sp con ctech stech call csh'.split(' ');
 for (const keyword of freeForm) lossy.set(keyword, 'curves and free-form surfaces');
+
+/** The array of labels that says which faces are of which material. */
+const materialArray = 'material';
+
+/** Which material each face is of, as a number: from 1 on in the order in which faces use them, 0 where none is named yet. */
+class Materials {
+  private current = '';
+  private labels = new Map<string, number>();
+  ofFaces = new GrowingIndices();
+
+  use(name: string): void {
+    this.current = name;
+  }
+
+  endFace(): void {
+    const label = this.current === '' ? 0 : (this.labels.get(this.current) ?? 1 + this.labels.size);
+    if (label > this.labels.size) this.labels.set(this.current, label);
+    this.ofFaces.push(label);
+  }
+
+  /** What each label stands for. */
+  names(): Map<number, string> {
+    const names = new Map([...this.labels].map(([name, label]) => [label, name]));
+    if (this.ofFaces.toArray().includes(0)) names.set(0, this.noName());
+    return names;
+  }
+
+  /** What no material is called. */
+  private noName(): string {
+    let name = 'none';
+    while (this.labels.has(name)) name += '_';
+    return name;
+  }
+}
 
 class ObjFile {
   points = new GrowingNumbers();
@@ -46,6 +81,7 @@ class ObjFile {
     { variable: 'uv', keyword: 'vt', components: 2, values: new GrowingNumbers(), indices: new GrowingIndices() },
     { variable: 'normal', keyword: 'vn', components: 3, values: new GrowingNumbers(), indices: new GrowingIndices() },
   ];
+  materials = new Materials();
   lost = new Set<string>();
 
   read(line: TextLine): void {
@@ -54,6 +90,7 @@ class ObjFile {
     if (keyword === 'v') this.readPoint(line);
     else if (data) this.readCornerData(line, data);
     else if (keyword === 'f' || keyword === 'fo') this.readFace(line);
+    else if (keyword === 'usemtl') this.materials.use(line.words.slice(1).join(' '));
     else if (lossy.has(keyword)) this.lost.add(lossy.get(keyword) ?? keyword);
     else if (!ignored.has(keyword) && !keyword.startsWith('#')) {
       const where = `line ${line.number}`;
@@ -89,6 +126,7 @@ class ObjFile {
       }
     }
     this.faces.endPolygon();
+    this.materials.endFace();
   }
 }
 
@@ -107,7 +145,8 @@ function resolve(word: string, count: number, { number }: TextLine): number {
 
 /**
  * Reads an OBJ file in double precision, since text has none of its own. Points that agree in everything are welded.
- * Colours at the points become the variable `color`, texture coordinates `uv`, normals `normal` (where they agree).
+ * Colours at the points become the variable `color`, texture coordinates `uv`, normals `normal` (where they agree). Several
+ * materials become labels of the triangles.
  */
 export function readObj(bytes: Uint8Array): Surface {
   const file = new ObjFile();
@@ -119,12 +158,20 @@ export function readObj(bytes: Uint8Array): Surface {
     throw new FormatError('no_triangles', `The file has ${counted(points, 'point')}, but no faces.`);
   }
   checkCorners(polygons, points, 'face');
+  const materials = file.materials.names();
+  if (materials.size === 1 && !materials.has(0)) file.lost.add('the material');
   const notes = file.lost.size > 0 ? [`Not carried: ${[...file.lost].join(', ')}.`] : [];
   const { position, variables, ends, corners, copies } = spread(file, polygons, notes);
   const { triangles, split } = triangulate({ corners, ends }, position, 'face');
   if (split > 0) notes.push(`${counted(split, 'face')} with more than three corners split into triangles.`);
   const surface = weldedSurface({ position, triangles, variables }, notes, copies);
-  return { ...surface, notes: [...surface.notes, ...cutNotes(bytes)] };
+  const labels = materials.size > 1 ? materialLabels(file, polygons, materials) : {};
+  return { ...surface, ...labels, notes: [...surface.notes, ...regionNotes(labels.regions), ...cutNotes(bytes)] };
+}
+
+function materialLabels({ materials }: ObjFile, polygons: Polygons, names: Map<number, string>): Partial<Surface> {
+  const labels = labelsOfTriangles(materials.ofFaces.toArray(), 0, polygons);
+  return { regions: new Map([[materialArray, labels]]), regionNames: new Map([[materialArray, names]]) };
 }
 
 /** Lines put together where a backslash says that one goes on. */

@@ -9,6 +9,8 @@ export interface Labels {
   units: Record<string, string>;
   /** What the components of a variable are called, one name each. */
   componentNames: Record<string, string[]>;
+  /** What labels of triangles stand for, by the arrays that hold them, where the file has names for that. */
+  regionNames?: ReadonlyMap<string, ReadonlyMap<number, string>>;
 }
 
 /** What can part a surface into regions, and what cannot. */

@@ -141,7 +141,7 @@ function isLabel(value: number): boolean {
  * polygon of n corners is n − 2 triangles. Of
  * each number misfitAmong says nothing.
  */
-export function labelsOfTriangles(values: VtkValues, before: number, { ends }: Polygons): Int32Array {
+export function labelsOfTriangles(values: ArrayLike<number>, before: number, { ends }: Polygons): Int32Array {
   const labels = new Int32Array(ends.length > 0 ? ends[ends.length - 1] - 2 * ends.length : 0);
   let triangle = 0;
   ends.forEach((end, polygon) => {

@@ -1,4 +1,6 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
+import { labelArrays } from './label-arrays.ts';
+import type { WriteOptions } from './surface.ts';
 
 /** What OBJ has a place for, and the number of components there. */
 const places = new Map([
@@ -14,9 +16,9 @@ export function lostInObj(mesh: Mesh): Variable[] {
 
 /**
  * Writes an OBJ file, in the shortest digits that give every number back. Of the variables it holds `color`, `uv` and
- * `normal` only: ask lostInObj.
+ * `normal` only: ask lostInObj. Labels of triangles become materials where they have names.
  */
-export function writeObj(mesh: Mesh): Uint8Array {
+export function writeObj(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   const held = (name: string) =>
     mesh.variables.find((variable) => variable.name === name && variable.components === places.get(name));
   const [color, uv, normal] = ['color', 'uv', 'normal'].map(held);
@@ -29,11 +31,31 @@ export function writeObj(mesh: Mesh): Uint8Array {
   }
   for (let point = 0; uv && point < points; point++) lines.push(`vt ${row(uv.values, 2, point)}`);
   for (let point = 0; normal && point < points; point++) lines.push(`vn ${row(normal.values, 3, point)}`);
+  const materialAt = materials(mesh, options);
   for (let at = 0; at < mesh.triangles.length; at += 3) {
+    const material = materialAt(at / 3);
+    if (material !== materialAt(at / 3 - 1)) lines.push(`usemtl ${material}`);
     const corners = Array.from(mesh.triangles.subarray(at, at + 3), (corner) => cornerText(corner + 1, uv, normal));
     lines.push(`f ${corners.join(' ')}`);
   }
   return new TextEncoder().encode(`${lines.join('\n')}\n`);
+}
+
+/** The array of labels that becomes materials: the first one whose labels have names. */
+export function materialArray(mesh: Mesh, options: WriteOptions): string | undefined {
+  return labelArrays(mesh, options).find(([name]) => options.regionNames?.has(name))?.[0];
+}
+
+/** The name of the material of a triangle; none where there are none, and before the first triangle. */
+function materials(mesh: Mesh, options: WriteOptions): (triangle: number) => string | undefined {
+  const array = materialArray(mesh, options);
+  if (array === undefined) return () => undefined;
+  const labels = new Map(labelArrays(mesh, options)).get(array);
+  const names = options.regionNames?.get(array);
+  return (triangle) => {
+    const label = labels?.[triangle];
+    return label === undefined ? undefined : (names?.get(label) ?? String(label));
+  };
 }
 
 function cornerText(index: number, uv: Variable | undefined, normal: Variable | undefined): string {

@@ -2,6 +2,7 @@ import type { Levels, Mesh, Variable, VariableReport } from '../../wasm/types.ts
 import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
 import { gzip } from './gzip.ts';
+import { labelArrays } from './label-arrays.ts';
 import type { Format, Labels, WriteOptions } from './surface.ts';
 import { withinMemory } from './within-memory.ts';
 import { listed, quoted } from './wording.ts';
@@ -14,13 +15,25 @@ interface Writer {
   single: boolean;
   /** Whether units and component names have a place. */
   labels: boolean;
-  /** Whether labels of triangles have a place. */
-  regions: boolean;
+  /** The arrays of labels of triangles that have a place. */
+  heldLabels: (mesh: Mesh, labels: LabelNames) => string[];
+  /** Whether names of such labels have a place. */
+  regionNames: boolean;
   /** Whether a variable may have an empty name. */
   nameless: boolean;
 }
 
-const lossless = { lost: () => [], single: false, labels: true, regions: true, nameless: false };
+const allLabels = (mesh: Mesh, labels: LabelNames) => labelArrays(mesh, labels).map(([name]) => name);
+const noLabels = () => [];
+
+const lossless = {
+  lost: () => [],
+  single: false,
+  labels: true,
+  heldLabels: allLabels,
+  regionNames: false,
+  nameless: false,
+};
 
 /** One writer a format, each loaded when first asked for. */
 const writers: Record<Format, () => Promise<Writer>> = {
@@ -28,8 +41,16 @@ const writers: Record<Format, () => Promise<Writer>> = {
   vtp: async () => ({ write: (await import('./write-vtp.ts')).writeVtp, ...lossless }),
   vtk: async () => ({ write: (await import('./write-vtk.ts')).writeVtk, ...lossless }),
   obj: async () => {
-    const { writeObj, lostInObj } = await import('./write-obj.ts');
-    return { write: writeObj, lost: lostInObj, single: false, labels: false, regions: false, nameless: true };
+    const { writeObj, lostInObj, materialArray } = await import('./write-obj.ts');
+    return {
+      write: writeObj,
+      lost: lostInObj,
+      single: false,
+      labels: false,
+      heldLabels: (mesh, labels) => [materialArray(mesh, labels)].filter((name) => name !== undefined),
+      regionNames: true,
+      nameless: true,
+    };
   },
   stl: async () => {
     const { writeStl } = await import('./write-stl.ts');
@@ -38,13 +59,22 @@ const writers: Record<Format, () => Promise<Writer>> = {
       lost: (mesh) => mesh.variables,
       single: true,
       labels: false,
-      regions: false,
+      heldLabels: noLabels,
+      regionNames: false,
       nameless: true,
     };
   },
   glb: async () => {
     const { writeGlb } = await import('./write-glb.ts');
-    return { write: writeGlb, lost: () => [], single: true, labels: true, regions: false, nameless: false };
+    return {
+      write: writeGlb,
+      lost: () => [],
+      single: true,
+      labels: true,
+      heldLabels: noLabels,
+      regionNames: false,
+      nameless: false,
+    };
   },
 };
 
@@ -81,15 +111,13 @@ function requirePlace(format: Format, mesh: Mesh, { lost, single, nameless }: Wr
 
 /** What a file of this format will not hold of the mesh and its labels, a sentence each; nothing for PLY, VTP and legacy VTK. */
 export async function lossesOf(format: Format, mesh: Mesh, labels: LabelNames = {}): Promise<string[]> {
-  const { lost, single, labels: holdsLabels, regions: holdsRegions } = await writers[format]();
+  const writer = await writers[format]();
+  const { lost, single, labels: holdsLabels } = writer;
   const sentences: string[] = [];
   const names = lost(mesh).map(({ name }) => name);
   if (names.length > 0) sentences.push(`${formatNames[format]} has no place for the variables ${listed(names)}.`);
   const kept = keptVariables(mesh, lost(mesh));
-  if (mesh.regions && !holdsRegions) sentences.push(`${formatNames[format]} has no place for the regions.`);
-  const cellData = [...(labels.cellData?.keys() ?? [])];
-  if (cellData.length > 0 && !holdsRegions)
-    sentences.push(`${formatNames[format]} has no place for the cell data ${listed(cellData)}.`);
+  sentences.push(...regionLosses(format, mesh, labels, writer));
   if (!holdsLabels) sentences.push(...labelLosses(format, kept, labels));
   const doubles = kept.filter(({ values }) => values instanceof Float64Array);
   if (single && doubles.length > 0) {
@@ -100,7 +128,20 @@ export async function lossesOf(format: Format, mesh: Mesh, labels: LabelNames = 
 }
 
 /** What there is of a mesh beside its values. */
-type LabelNames = Pick<WriteOptions, 'units' | 'componentNames' | 'cellData'>;
+type LabelNames = Omit<WriteOptions, 'gzip' | 'encoding'>;
+
+function regionLosses(format: Format, mesh: Mesh, labels: LabelNames, { heldLabels, regionNames }: Writer): string[] {
+  const held = heldLabels(mesh, labels);
+  const lost = allLabels(mesh, labels).filter((name) => !held.includes(name));
+  const cellData = lost.filter((name) => labels.cellData?.has(name));
+  const named = regionNames ? [] : held.filter((name) => labels.regionNames?.has(name));
+  const losses = [
+    ...(lost.length > cellData.length ? ['the regions'] : []),
+    ...(cellData.length > 0 ? [`the cell data ${listed(cellData)}`] : []),
+    ...(named.length > 0 ? [`the names of what is in the cell data ${listed(named)}`] : []),
+  ];
+  return losses.map((loss) => `${formatNames[format]} has no place for ${loss}.`);
+}
 
 function labelLosses(format: Format, kept: Variable[], { units = {}, componentNames = {} }: Partial<Labels>): string[] {
   const kinds: [noun: string, labels: Record<string, unknown>][] = [

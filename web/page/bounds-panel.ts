@@ -163,6 +163,7 @@ export class BoundsPanel extends LitElement {
         .report=${this.report}
         .method=${this.method}
         .unit=${this.surface.labels.units.position}
+        .names=${this.surface.labels.regionNames?.get(this.keeping.regions ?? '')}
       ></meshbound-result-report>
       <meshbound-lock-choice
         .surface=${this.surface}

@@ -161,10 +161,15 @@ export class LockChoice extends LitElement {
       ${labels.map(
         ([label, triangles]) =>
           html`<span title="${countText(triangles)} ${english.triangles(triangles)}"
-            >${tick(String(label), lockRegions.includes(label), (wanted) => this.#lockRegion(label, wanted))}</span
+            >${tick(this.#nameOf(name, label), lockRegions.includes(label), (wanted) => this.#lockRegion(label, wanted))}</span
           >`,
       )}
     </fieldset>`;
+  }
+
+  /** What a label of a cell-data array stands for; where nothing says so, its number. */
+  #nameOf(array: string, label: number): string {
+    return this.surface?.labels.regionNames?.get(array)?.get(label) ?? String(label);
   }
 
   /** The labels of a cell-data array, rising, and how many triangles have each. */

@@ -14,6 +14,7 @@ export class ResultReport extends LitElement {
     report: { attribute: false },
     method: { attribute: false },
     unit: {},
+    names: { attribute: false },
   };
 
   static override styles = [
@@ -36,12 +37,15 @@ export class ResultReport extends LitElement {
   declare method: Method;
   /** Of position. */
   declare unit: string | undefined;
+  /** What the labels of regions stand for, where the surface says so. */
+  declare names: ReadonlyMap<number, string> | undefined;
 
   constructor() {
     super();
     this.report = null;
     this.method = firstMethod;
     this.unit = undefined;
+    this.names = undefined;
   }
 
   override render() {
@@ -67,7 +71,7 @@ export class ResultReport extends LitElement {
   }
 
   #regions(regions: RegionReport[]): string {
-    const vanished = regions.filter(isVanished).map(({ label }) => String(label));
+    const vanished = regions.filter(isVanished).map(({ label }) => this.names?.get(label) ?? String(label));
     return words.regionsAre(countText(regions.length - vanished.length), vanished);
   }
 

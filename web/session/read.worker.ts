@@ -8,7 +8,7 @@ type Files = NamedFile & { beside: NamedFile[] };
 
 addEventListener('message', async ({ data }: MessageEvent<Files>) => {
   try {
-    const { mesh, locked, regions, notes, units, componentNames } = await readTogether(
+    const { mesh, locked, regions, notes, units, componentNames, regionNames } = await readTogether(
       data.name,
       data.bytes,
       data.beside,
@@ -18,7 +18,7 @@ addEventListener('message', async ({ data }: MessageEvent<Files>) => {
       locked,
       regions,
       notes: withoutRegionNotes(notes, regions),
-      labels: { units, componentNames },
+      labels: { units, componentNames, regionNames },
     };
     postMessage({ file } satisfies ReadAnswer, { transfer: buffersOf(file) });
   } catch (error) {

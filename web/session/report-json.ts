@@ -18,7 +18,8 @@ export interface ReportOptions {
   region: string | null;
   /** Lists of points as people write them, `3,17,20-40`. */
   lockPoints: readonly string[];
-  lockRegions: readonly number[];
+  /** Their numbers, or what they are called. */
+  lockRegions: readonly (number | string)[];
   lockBoxes: readonly Box[];
 }
 
@@ -30,9 +31,18 @@ export interface Seams {
   touching: number;
 }
 
-/** The report as a file; its shape is documented in docs/command-line.md and stable. */
-export function reportJson(report: Report, options: ReportOptions, seams?: Seams): string {
-  const { triangles, turnedAway, dropped, featureSize = null, nonManifoldVertices, regions, seconds, stopped } = report;
+/**
+ * The report as a file; its shape is documented in docs/command-line.md and stable.
+ *
+ * @param names what the labels of regions stand for, where the file says so
+ */
+export function reportJson(
+  report: Report,
+  options: ReportOptions,
+  seams?: Seams,
+  names?: ReadonlyMap<number, string>,
+): string {
+  const { triangles, turnedAway, dropped, featureSize = null, nonManifoldVertices, seconds, stopped } = report;
   const { turnedTriangles, unorientableParts } = report.oddities;
   const { cells, foldedCells } = report;
   const variables = report.variables.map(({ name, components, extent, constant, bound, error, ratio }) => ({
@@ -44,6 +54,7 @@ export function reportJson(report: Report, options: ReportOptions, seams?: Seams
     error,
     ratio: Number.isFinite(bound) ? ratio : null,
   }));
+  const regions = report.regions.map(({ label, ...rest }) => ({ label, name: names?.get(label), ...rest }));
   const vanishedRegions = regions.filter((region) => region.triangles.after === 0).map(({ label }) => label);
   const facts = {
     triangles,

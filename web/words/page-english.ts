@@ -146,7 +146,7 @@ export const pageEnglish = {
     none: 'none',
     regionsMean: 'Borders between different labels of the triangles are kept within the bounds, and so are the labels.',
     lockRegions: 'Locked regions',
-    noRegions: 'This surface has no cell data of whole numbers that could part it into regions.',
+    noRegions: 'This surface has no cell data of whole numbers, and no materials, that could part it into regions.',
   },
 
   focus: {
