@@ -80,6 +80,7 @@ test('the report has an entry of the usual shape for each level', async () => {
       'turnedAway',
       'dropped',
       'featureSize',
+      'unmetBoxes',
       'variables',
       'regions',
       'vanishedRegions',

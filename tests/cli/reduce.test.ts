@@ -73,6 +73,7 @@ test('the report has the documented shape', async () => {
     turnedAway: { before: number, after: number },
     dropped: { parts: 0, triangles: 0 },
     featureSize: null,
+    unmetBoxes: [],
     regions: [],
     vanishedRegions: [],
     variables: [
@@ -386,11 +387,13 @@ test('points and boxes that are locked stay, and bounds are finer where a variab
 
 test('a box that meets no triangle is said to lock nothing; one that touches the surface does meet it', async () => {
   const boxes = ['--lock-box=-9,-9,-9,-8,-8,-8', '--lock-box=-1,-1,-1,0,0,1'];
-  const { status, stderr } = await folder.run('reduce', 'engine.vtp', '-o', 'out.vtp', ...all, ...boxes);
+  const report = ['--report', 'boxes.json'];
+  const { status, stderr } = await folder.run('reduce', 'engine.vtp', '-o', 'out.vtp', ...all, ...boxes, ...report);
   expect({ status, stderr }).toEqual({
     status: 0,
     stderr: 'engine.vtp: --lock-box=-9,-9,-9,-8,-8,-8 meets no triangle: nothing stays because of it.\n',
   });
+  expect(JSON.parse(folder.text('boxes.json')).unmetBoxes).toEqual([0]);
 });
 
 test('a focus that the file has not is a fault', async () => {

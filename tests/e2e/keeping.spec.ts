@@ -140,6 +140,16 @@ test('what meets a box stays as it is, and the box is drawn on the original', as
   await expect(group('Locks and regions').locator('summary')).toContainText('a box');
   await expect.poll(async () => difference(without[0], await pictureOf(page(), 'original'))).toBeGreaterThan(0.001);
 
+  // A box beside the surface is said to lock nothing.
+  const unmet = page().getByText('No triangle meets the box');
+  await expect(unmet).toHaveCount(0);
+  await type('Locked from z', 5);
+  await expect(unmet).toBeVisible();
+  await expect.poll(async () => (await counts(page())).after).toBe(free);
+  await type('Locked from z', -1);
+  await type('Locked to z', 1);
+  await expect(unmet).toHaveCount(0);
+
   // What is no number is refused, and the box stays.
   await type('Locked from x', '');
   await expect(page().getByLabel('Locked from x')).toHaveAttribute('aria-invalid', 'true');

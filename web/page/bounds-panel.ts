@@ -169,6 +169,7 @@ export class BoundsPanel extends LitElement {
         .surface=${this.surface}
         .keeping=${this.keeping}
         .pinned=${this.pinned}
+        ?isUnmet=${this.keeping.lockBox !== null && this.report?.unmetBoxes.includes(0)}
       ></meshbound-lock-choice>
       <meshbound-focus-choice
         .surface=${this.surface}

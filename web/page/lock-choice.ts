@@ -30,6 +30,7 @@ export class LockChoice extends LitElement {
     surface: { attribute: false },
     keeping: { attribute: false },
     pinned: { attribute: false },
+    isUnmet: { type: Boolean },
     refused: { state: true },
   };
 
@@ -64,6 +65,8 @@ export class LockChoice extends LitElement {
   declare keeping: Keeping;
   /** The place on the original that is pinned. */
   declare pinned: readonly number[] | null;
+  /** The box that was reduced with meets no triangle. */
+  declare isUnmet: boolean;
   /** What was typed as points and cannot be. @internal */
   declare refused: { text: string; why: string } | null;
 
@@ -75,6 +78,7 @@ export class LockChoice extends LitElement {
     this.surface = null;
     this.keeping = nothingKept;
     this.pinned = null;
+    this.isUnmet = false;
     this.refused = null;
   }
 
@@ -92,6 +96,7 @@ export class LockChoice extends LitElement {
       ${this.#points(lockPoints)}
       ${tick(pageEnglish.locks.box, lockBox !== null, (wanted) => this.#change({ lockBox: wanted ? this.#proposedBox() : null }))}
       ${lockBox ? this.#box(lockBox) : nothing}
+      ${this.isUnmet ? html`<p class="small" role="status">${pageEnglish.locks.unmet}</p>` : nothing}
       <p class="small soft">${pageEnglish.locks.boxMeans}</p>
       ${this.#regions()}
     </details>`;

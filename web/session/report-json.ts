@@ -42,7 +42,16 @@ export function reportJson(
   seams?: Seams,
   names?: ReadonlyMap<number, string>,
 ): string {
-  const { triangles, turnedAway, dropped, featureSize = null, nonManifoldVertices, seconds, stopped } = report;
+  const {
+    triangles,
+    turnedAway,
+    dropped,
+    featureSize = null,
+    unmetBoxes,
+    nonManifoldVertices,
+    seconds,
+    stopped,
+  } = report;
   const { turnedTriangles, unorientableParts } = report.oddities;
   const { cells, foldedCells } = report;
   const variables = report.variables.map(({ name, components, extent, constant, bound, error, ratio }) => ({
@@ -65,6 +74,7 @@ export function reportJson(
     turnedAway,
     dropped,
     featureSize,
+    unmetBoxes,
     variables,
     regions,
     vanishedRegions,

@@ -138,6 +138,7 @@ export const pageEnglish = {
     addPinMeans: 'The point of the original that is nearest to the pinned place.',
     box: 'Lock what meets a box',
     boxMeans: 'Every triangle that meets the box stays as it is. The box is drawn on the original.',
+    unmet: 'No triangle meets the box: nothing stays because of it.',
     lowest: 'from',
     highest: 'to',
     place: (end: string, axis: string) => `Locked ${end} ${axis}`,
