@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "shared_loop.hpp"
+
 namespace meshbound {
 namespace {
 
@@ -74,6 +76,57 @@ std::size_t crossings_on(const OriginalEdges& edges, const Crossings& crossings)
     return count;
 }
 
+/// Compares vertices of the input with their places, one after the other.
+class VertexComparison {
+public:
+    VertexComparison(const Rows& rows, const Surface& surface, const Reduction& reduction)
+        : rows_(rows), surface_(surface), reduction_(reduction), difference_(static_cast<std::size_t>(rows.width())) {}
+
+    /// Writes down the errors of a vertex, which may be none's.
+    void compare(std::size_t vertex, std::vector<VertexErrors>& errors) {
+        const MapPlace& place = reduction_.map.places[vertex];
+        if (place.triangle == nowhere) return;
+        const glm::dvec3 normal = subtract(surface_.first_copy(static_cast<std::uint32_t>(vertex)), place);
+        for (const RowGroup& group : rows_.groups()) write(group, normal, vertex, errors[group.variable]);
+    }
+
+private:
+    /// The row of a vertex less that of its place; returns the normal of the triangle there.
+    glm::dvec3 subtract(std::uint32_t vertex, const MapPlace& place) {
+        const glm::uvec3& triangle = reduction_.mesh.triangles[place.triangle];
+        const auto input = [&](int corner) { return surface_.first_copy(reduction_.vertices[triangle[corner]]); };
+        const double *row = rows_[vertex], *p = rows_[input(0)], *q = rows_[input(1)], *r = rows_[input(2)];
+        const glm::dvec3 w = place.barycentric;
+        for (std::size_t i = 0; i < difference_.size(); ++i)
+            difference_[i] = row[i] - (w.x * p[i] + w.y * q[i] + w.z * r[i]);
+        const glm::dvec3 origin = rows_.position(input(0));
+        const glm::dvec3 area = glm::cross(rows_.position(input(1)) - origin, rows_.position(input(2)) - origin);
+        const double length = glm::length(area);
+        return length > 0 ? area / length : glm::dvec3(0);
+    }
+
+    void write(const RowGroup& group, const glm::dvec3& normal, std::size_t vertex, VertexErrors& out) const {
+        const double unit = rows_.unit(group);
+        const double* difference = &difference_[static_cast<std::size_t>(group.first)];
+        double square = 0, along_normal = 0;
+        for (int i = 0; i < group.count; ++i) {
+            square += difference[i] * difference[i];
+            if (group.variable == 0) along_normal -= difference[i] * normal[i];
+        }
+        out.error[vertex] = static_cast<float>(std::sqrt(square) * unit);
+        if (group.variable == 0) out.signed_error[vertex] = static_cast<float>(along_normal * unit);
+        else if (group.count == 1) out.signed_error[vertex] = static_cast<float>(*difference * unit);
+    }
+
+    const Rows& rows_;
+    const Surface& surface_;
+    const Reduction& reduction_;
+    std::vector<double> difference_;
+};
+
+/// A run of so many vertices takes a fraction of a millisecond.
+constexpr std::size_t vertices_at_once = 1024;
+
 } // namespace
 
 void extract_map(const Surface& surface, const Tracking& tracking, const std::vector<std::uint32_t>& renamed_vertex,
@@ -100,41 +153,17 @@ void extract_map(const Surface& surface, const Tracking& tracking, const std::ve
 }
 
 void extract_vertex_errors(const Rows& rows, const Surface& surface, const Reduction& reduction,
-                           std::vector<VertexErrors>& errors, Ticker& ticker) {
-    errors.assign(rows.groups().size(), {});
-    std::vector<double> difference(static_cast<std::size_t>(rows.width()), 0.0);
+                           std::vector<VertexErrors>& errors, Team& team, Ticker& ticker) {
     const std::size_t vertices = reduction.map.places.size();
+    errors.assign(rows.groups().size(), {});
     for (const RowGroup& group : rows.groups()) {
         errors[group.variable].error.resize(vertices, 0);
         if (group.count == 1 || group.variable == 0) errors[group.variable].signed_error.resize(vertices, 0);
     }
-    for (std::uint32_t vertex = 0; vertex < vertices && ticker.tick(1); ++vertex) {
-        const MapPlace& place = reduction.map.places[vertex];
-        if (place.triangle == nowhere) continue;
-        const glm::uvec3& triangle = reduction.mesh.triangles[place.triangle];
-        const auto input = [&](int corner) { return surface.first_copy(reduction.vertices[triangle[corner]]); };
-        const double* row = rows[surface.first_copy(vertex)];
-        const glm::dvec3 w = place.barycentric;
-        for (std::size_t i = 0; i < difference.size(); ++i)
-            difference[i] = row[i] - (w.x * rows[input(0)][i] + w.y * rows[input(1)][i] + w.z * rows[input(2)][i]);
-        const glm::dvec3 origin = rows.position(input(0));
-        const glm::dvec3 area = glm::cross(rows.position(input(1)) - origin, rows.position(input(2)) - origin);
-        const double length = glm::length(area);
-        for (const RowGroup& group : rows.groups()) {
-            const double unit = rows.unit(group);
-            double square = 0, along_normal = 0;
-            for (int i = 0; i < group.count; ++i) {
-                const double d = difference[static_cast<std::size_t>(group.first + i)];
-                square += d * d;
-                if (group.variable == 0 && length > 0) along_normal -= d * area[i] / length;
-            }
-            VertexErrors& out = errors[group.variable];
-            out.error[vertex] = static_cast<float>(std::sqrt(square) * unit);
-            if (group.variable == 0) out.signed_error[vertex] = static_cast<float>(along_normal * unit);
-            else if (group.count == 1)
-                out.signed_error[vertex] = static_cast<float>(difference[static_cast<std::size_t>(group.first)] * unit);
-        }
-    }
+    team.gather();
+    std::vector<VertexComparison> comparisons(team.size(), VertexComparison(rows, surface, reduction));
+    share_out(team, ticker, vertices, vertices_at_once,
+              [&](std::size_t member, std::size_t vertex) { comparisons[member].compare(vertex, errors); });
 }
 
 } // namespace meshbound

@@ -6,6 +6,7 @@
 #include "meshbound/reduce.hpp"
 #include "rows.hpp"
 #include "surface.hpp"
+#include "team.hpp"
 #include "ticker.hpp"
 #include "tracking.hpp"
 
@@ -20,6 +21,6 @@ void extract_map(const Surface& surface, const Tracking& tracking, const std::ve
 
 /// The errors of every vertex of the input at its place (reduction.map, reduction.mesh and reduction.vertices are filled).
 void extract_vertex_errors(const Rows& rows, const Surface& surface, const Reduction& reduction,
-                           std::vector<VertexErrors>& errors, Ticker& ticker);
+                           std::vector<VertexErrors>& errors, Team& team, Ticker& ticker);
 
 } // namespace meshbound

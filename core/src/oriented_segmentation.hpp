@@ -1,6 +1,8 @@
 #pragma once
 
 #include "meshbound/segmentation.hpp"
+#include "team.hpp"
+#include "ticker.hpp"
 
 namespace meshbound {
 
@@ -10,8 +12,8 @@ struct Folds {
 };
 
 /// Counts without keeping anything; of an original whose triangles agree already which side is the front one. Nothing where
-/// `progress` cancels.
-Folds count_folds(const MappedSurfaces& surfaces, const Progress& progress = {});
+/// the ticker cancels.
+Folds count_folds(const MappedSurfaces& surfaces, Team& team, Ticker& ticker);
 
 /// As `segment`, of an original whose triangles agree already which side is the front one.
 void segment_oriented(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress = {});

@@ -3,9 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared_loop.hpp"
 #include "upper_float.hpp"
 
 namespace meshbound {
+namespace {
+
+/// In a reduced triangle there may be much of the original.
+constexpr std::size_t triangles_at_once = 16;
+
+/// The error of a variable on the next triangle.
+void add_error(const RowGroup& group, double unit, const ErrorRange& range, TriangleErrors& errors,
+               VariableReport& report) {
+    report.error = std::max(report.error, range.largest * unit);
+    if (group.bounded) report.ratio = std::max(report.ratio, range.ratio);
+    errors.largest.push_back(upper_float(range.largest * unit));
+    errors.ratio.push_back(group.bounded ? upper_float(range.ratio) : 0);
+    if (group.count > 1 && group.variable != 0) return;
+    errors.lowest.push_back(-upper_float(-range.lowest * unit));
+    errors.highest.push_back(upper_float(range.highest * unit));
+}
+
+} // namespace
 
 Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Oddities& oddities) {
     Report report;
@@ -42,26 +61,18 @@ Renaming extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduc
 }
 
 void extract_errors(const Surface& surface, const Rows& rows, const Accounting& accounting, Reduction& reduction,
-                    Ticker& ticker) {
-    reduction.triangle_errors.resize(rows.groups().size());
-    std::vector<ErrorRange> ranges;
-    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
-        if (!ticker.tick(1)) return;
-        if (!surface.alive(slot)) continue;
-        accounting.errors(slot, ranges);
-        for (const RowGroup& group : rows.groups()) {
-            const ErrorRange& range = ranges[group.variable];
-            const double unit = rows.unit(group);
-            TriangleErrors& errors = reduction.triangle_errors[group.variable];
-            VariableReport& report = reduction.report.variables[group.variable];
-            report.error = std::max(report.error, range.largest * unit);
-            if (group.bounded) report.ratio = std::max(report.ratio, range.ratio);
-            errors.largest.push_back(upper_float(range.largest * unit));
-            errors.ratio.push_back(group.bounded ? upper_float(range.ratio) : 0);
-            if (group.count > 1 && group.variable != 0) continue;
-            errors.lowest.push_back(-upper_float(-range.lowest * unit));
-            errors.highest.push_back(upper_float(range.highest * unit));
-        }
+                    Team& team, Ticker& ticker) {
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot)
+        if (surface.alive(slot)) slots.push_back(slot);
+    std::vector<std::vector<ErrorRange>> ranges(slots.size());
+    const auto measure = [&](std::size_t, std::size_t i) { accounting.errors(slots[i], ranges[i]); };
+    if (!share_out(team, ticker, slots.size(), triangles_at_once, measure)) return;
+    for (const RowGroup& group : rows.groups()) {
+        TriangleErrors& errors = reduction.triangle_errors.emplace_back();
+        VariableReport& report = reduction.report.variables[group.variable];
+        for (const std::vector<ErrorRange>& range : ranges)
+            add_error(group, rows.unit(group), range[group.variable], errors, report);
     }
 }
 

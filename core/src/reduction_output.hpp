@@ -8,6 +8,7 @@
 #include "rows.hpp"
 #include "surface.hpp"
 #include "sweep.hpp"
+#include "team.hpp"
 #include "ticker.hpp"
 
 namespace meshbound {
@@ -25,7 +26,7 @@ Renaming extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduc
 
 /// The errors of every triangle and the largest of them all. Stops where the ticker cancels, incomplete.
 void extract_errors(const Surface& surface, const Rows& rows, const Accounting& accounting, Reduction& reduction,
-                    Ticker& ticker);
+                    Team& team, Ticker& ticker);
 
 /// Why each vertex that is still there could not go. `candidate[v]`: whether it was allowed to at all.
 void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate, Report& report);

@@ -164,7 +164,7 @@ bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, Accounting& a
 }
 
 /// The surface as it is, all errors within this limit; of free variables they are unknown until they are measured.
-Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds, double limit) const {
+Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds, double limit) {
     Reduction here;
     here.report = begin_report(mesh_, bounds, oddities_);
     here.report.non_manifold_vertices = surface_.non_manifold_vertices();
@@ -174,7 +174,7 @@ Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds, d
     extract_mesh(mesh_, surface_, here);
     const bool any_free = std::any_of(bounds.begin(), bounds.end(),
                                       [](const ResolvedBound& bound) { return std::isinf(bound.absolute); });
-    if (any_free) extract_errors(surface_, *rows_, *accounting_, here, ticker_);
+    if (any_free) extract_errors(surface_, *rows_, *accounting_, here, team_, ticker_);
     else report_limits(Multipliers(find_focus(mesh_, options_)), limit + (1 - rows_->limit()), here.report);
     here.report.triangles_after = here.mesh.triangles.size();
     here.report.vertices_after = here.vertices.size();
@@ -198,20 +198,19 @@ void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking*
         piercing_.reset();
     }
     const Renaming renamed = extract_mesh(mesh_, surface_, reduction);
-    extract_errors(surface_, *rows_, *accounting_, reduction, ticker_);
+    extract_errors(surface_, *rows_, *accounting_, reduction, team_, ticker_);
     const auto* tracking = dynamic_cast<const Tracking*>(accounting_.get());
     if (!tracking || !tells_map_) return;
     extract_map(surface_, *tracking, renamed.vertex, renamed.triangle, reduction.map, ticker_);
     if (linked) linked->extract(renamed.vertex, renamed.triangle, reduction.vertices, *link, ticker_);
     if (ends_) accounting_.reset();
-    extract_vertex_errors(*rows_, surface_, reduction, reduction.vertex_errors, ticker_);
+    extract_vertex_errors(*rows_, surface_, reduction, reduction.vertex_errors, team_, ticker_);
     if (options_.count_folds && !ticker_.cancelled()) count_folds(reduction);
 }
 
-void ReductionRun::count_folds(Reduction& reduction) const {
+void ReductionRun::count_folds(Reduction& reduction) {
     const Mesh oriented = oriented_.empty() ? Mesh{} : oriented_shape();
-    const Folds folds = meshbound::count_folds({oriented_.empty() ? mesh_ : oriented, reduction},
-                                               [this](double) { return ticker_.ask(); });
+    const Folds folds = meshbound::count_folds({oriented_.empty() ? mesh_ : oriented, reduction}, team_, ticker_);
     reduction.report.cells = folds.cells;
     reduction.report.folded_cells = folds.folded_cells;
 }

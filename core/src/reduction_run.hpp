@@ -53,11 +53,11 @@ private:
     std::vector<double> limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const;
     bool sweep(const std::vector<ResolvedBound>& bounds, Accounting& accounting, const ProgressSpan& span,
                Report& report);
-    Waypoint waypoint_here(const std::vector<ResolvedBound>& bounds, double limit) const;
+    Waypoint waypoint_here(const std::vector<ResolvedBound>& bounds, double limit);
     void sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction, const ProgressSpan& span,
                           LevelLink* link);
     void report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link);
-    void count_folds(Reduction& reduction) const;
+    void count_folds(Reduction& reduction);
     void report_cancelled(Reduction& reduction) const;
 
     const Mesh& mesh_;

@@ -11,6 +11,7 @@
 #include "segmentation_faces.hpp"
 #include "segmentation_outline.hpp"
 #include "segmentation_pieces.hpp"
+#include "shared_loop.hpp"
 #include "ticker.hpp"
 
 namespace meshbound {
@@ -48,12 +49,22 @@ bool repeats_vertex(const glm::uvec3& triangle) {
     return triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x;
 }
 
+/// Two surfaces, prepared for being looked up in; by several threads, too.
+struct Prepared {
+    explicit Prepared(const MappedSurfaces& mapped)
+        : surfaces(mapped), faces(mapped.reduced), outlines(mapped, faces) {}
+
+    const MappedSurfaces& surfaces;
+    const Faces faces;
+    const Outlines outlines;
+};
+
 /// Segments one original triangle after the other.
 class Segmenter {
 public:
-    explicit Segmenter(const MappedSurfaces& surfaces)
-        : surfaces_(surfaces), faces_(surfaces.reduced), outlines_(surfaces, faces_),
-          cutter_(faces_, surfaces.original.regions) {}
+    explicit Segmenter(const Prepared& prepared)
+        : surfaces_(prepared.surfaces), outlines_(prepared.outlines),
+          cutter_(prepared.faces, prepared.surfaces.original.regions) {}
 
     /// Adds the cells and pieces of a triangle, and what of them is folded (areas in the unit of the surfaces').
     void add(std::uint32_t triangle, Segmentation& segmentation);
@@ -62,8 +73,7 @@ private:
     void cut_into_pieces(SegmentationCell& cell, Segmentation& segmentation);
 
     const MappedSurfaces& surfaces_;
-    Faces faces_;
-    Outlines outlines_;
+    const Outlines& outlines_;
     CellCutter cutter_;
     Outline outline_;
     CellTriangulation triangulation_;
@@ -100,17 +110,32 @@ void Segmenter::cut_into_pieces(SegmentationCell& cell, Segmentation& segmentati
     if (segmentation.folded_pieces > folded_before) ++segmentation.folded_cells;
 }
 
-/// Calls `take(triangle)` for each triangle of the original; false where `progress` cancels.
-template <class Take>
-bool for_each_triangle(const MappedSurfaces& surfaces, const Progress& progress, const Take& take) {
-    Ticker ticker(progress);
-    const std::size_t triangles = surfaces.original.triangles.size();
-    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle) {
-        take(triangle);
-        if (!ticker.tick(1, triangle / static_cast<double>(triangles))) return false;
+/// Counts folds in one original triangle after the other.
+class FoldCounter {
+public:
+    explicit FoldCounter(const Prepared& prepared) : segmenter_(prepared) {}
+
+    void add(std::uint32_t triangle) {
+        here_.cells.clear();
+        here_.corners.clear();
+        here_.pieces.clear();
+        segmenter_.add(triangle, here_);
+        cells_ += here_.cells.size();
     }
-    return true;
-}
+
+    void add_to(Folds& folds) const {
+        folds.cells += cells_;
+        folds.folded_cells += here_.folded_cells;
+    }
+
+private:
+    Segmenter segmenter_;
+    Segmentation here_; // of the last triangle; its numbers of folds are of all
+    std::size_t cells_ = 0;
+};
+
+/// A run of so many triangles takes a millisecond.
+constexpr std::size_t triangles_at_once = 1024;
 
 } // namespace
 
@@ -145,27 +170,31 @@ glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCe
 void segment_oriented(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
     segmentation = {};
     if (surfaces.map.places.empty()) return;
-    Segmenter segmenter(surfaces);
-    if (!for_each_triangle(surfaces, progress, [&](std::uint32_t triangle) { segmenter.add(triangle, segmentation); }))
+    const Prepared prepared(surfaces);
+    Segmenter segmenter(prepared);
+    Ticker ticker(progress);
+    const std::size_t triangles = surfaces.original.triangles.size();
+    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle) {
+        segmenter.add(triangle, segmentation);
+        if (ticker.tick(1, triangle / static_cast<double>(triangles))) continue;
         segmentation = {};
+        return;
+    }
     if (segmentation.folded_original > 0) segmentation.folded_original /= area(surfaces.original);
     if (segmentation.folded_reduced > 0) segmentation.folded_reduced /= area(surfaces.reduced);
 }
 
-Folds count_folds(const MappedSurfaces& surfaces, const Progress& progress) {
+Folds count_folds(const MappedSurfaces& surfaces, Team& team, Ticker& ticker) {
     if (surfaces.map.places.empty()) return {};
-    Segmenter segmenter(surfaces);
-    Segmentation here;
-    Folds folds;
-    const auto count = [&](std::uint32_t triangle) {
-        here.cells.clear();
-        here.corners.clear();
-        here.pieces.clear();
-        segmenter.add(triangle, here);
-        folds.cells += here.cells.size();
+    const Prepared prepared(surfaces);
+    team.gather();
+    std::vector<FoldCounter> counters(team.size(), FoldCounter(prepared));
+    const auto count = [&](std::size_t member, std::size_t triangle) {
+        counters[member].add(static_cast<std::uint32_t>(triangle));
     };
-    if (!for_each_triangle(surfaces, progress, count)) return {};
-    folds.folded_cells = here.folded_cells;
+    if (!share_out(team, ticker, surfaces.original.triangles.size(), triangles_at_once, count)) return {};
+    Folds folds;
+    for (const FoldCounter& counter : counters) counter.add_to(folds);
     return folds;
 }
 
