@@ -17,7 +17,7 @@ JointSegment closing_edge(const MeasuredRows& rows, const Hole& hole, bool forwa
 
 } // namespace
 
-void ClosingShares::agree(const std::vector<Part>& parts, double squared_limit) {
+void ClosingShares::agree(const std::vector<Part>& parts, double squared_content) {
     struct OfSite {
         std::uint32_t site;
         std::size_t part;
@@ -38,19 +38,19 @@ void ClosingShares::agree(const std::vector<Part>& parts, double squared_limit) 
         copies.clear();
         const std::uint32_t site = first->site;
         for (; first != all.end() && first->site == site; ++first) copies.push_back(first->copy);
-        const double share = share_of(copies, squared_limit);
+        const double share = share_of(copies, squared_content);
         for (const Copy& copy : copies)
             copy.part->content->settle_on_closing(copy.inner, copy.forward ? share : 1 - share, *copy.part->hole);
     }
 }
 
 /// Along the closing edge of the first part: as laid out there, or where the errors of all copies are smallest.
-double ClosingShares::share_of(const std::vector<Copy>& copies, double squared_limit) const {
+double ClosingShares::share_of(const std::vector<Copy>& copies, double squared_content) const {
     const Copy& first = copies.front();
     const double laid_out = first.part->content->vertices()[first.inner].share;
     const double share = first.forward ? laid_out : 1 - laid_out;
     const double here = error(copies, share);
-    if (!choose_ || !(here > squared_limit)) return share;
+    if (!choose_ || !(here > squared_content)) return share;
     PlaneProducts sum;
     for (const Copy& copy : copies) {
         const double* row = rows_[copy.part->content->vertices()[copy.inner].vertex];

@@ -20,7 +20,7 @@ public:
         const Hole* hole;
         HoleContent* content;
     };
-    void agree(const std::vector<Part>& parts, double squared_limit);
+    void agree(const std::vector<Part>& parts, double squared_content);
 
 private:
     /// A vertex of the curve in one part.
@@ -29,7 +29,7 @@ private:
         std::size_t inner; ///< of its content
         bool forward;      ///< its closing edge runs as that of the first part
     };
-    double share_of(const std::vector<Copy>& copies, double squared_limit) const;
+    double share_of(const std::vector<Copy>& copies, double squared_content) const;
     double error(const std::vector<Copy>& copies, double share) const;
 
     const Surface& surface_;

@@ -68,7 +68,7 @@ bool Laying::lay_piece(const Piece& piece, WorstError& worst) {
     cross_straight(piece, first);
     for (std::size_t n = first; n < crossings_.size(); ++n) {
         double here = error(piece, crossings_[n]);
-        if (choose_crossings_ && here > worst.squared_limit()) choose(piece, first, n, worst.squared_limit(), here);
+        if (choose_crossings_ && here > worst.squared_content()) choose(piece, first, n, worst.squared_content(), here);
         if (!worst.take(here, difference(piece, crossings_[n]))) return false;
     }
     return true;
@@ -96,7 +96,7 @@ void Laying::cross_straight(const Piece& piece, std::size_t first) {
 }
 
 /// The freedom of Φ: s may be anywhere between its neighbours on the original edge, t anywhere on the diagonal.
-void Laying::choose(const Piece& piece, std::size_t first, std::size_t n, double squared_limit, double& error) {
+void Laying::choose(const Piece& piece, std::size_t first, std::size_t n, double squared_content, double& error) {
     NewCrossing& crossing = crossings_[n];
     const double before = n == first ? piece.start.s : crossings_[n - 1].s;
     const double behind = n + 1 == crossings_.size() ? piece.end.s : crossings_[n + 1].s;
@@ -107,7 +107,7 @@ void Laying::choose(const Piece& piece, std::size_t first, std::size_t n, double
     const JointSegment diagonal{rows_[hole_->ring[at(triangle.a)]], rows_[hole_->ring[at(triangle.b)]]};
     const auto nearest = [&](const PlaneProducts& products) { return nearest_parameters(products, low, high); };
     take_better(piece, nearest(products_of(rows_, original, diagonal)), crossing, error);
-    if (error <= squared_limit) return;
+    if (error <= squared_content) return;
     minimax_.enter(between(original, diagonal));
     Minimax::Place best{{crossing.s, crossing.t}, rows_.squared_ratio(difference(piece, crossing))};
     minimax_.improve(best, nearest);

@@ -21,7 +21,7 @@ struct NewCrossing {
 };
 
 /// How the pieces of original edges in a hole are laid over its new triangles: each runs from the triangle of its start to
-/// that of its end, straight in the layout or, where the error is above the limit there and the map is free, where it is smallest.
+/// that of its end, straight in the layout or, where the error is too high there and the map is free, where it is smallest.
 class Laying {
 public:
     Laying(const MeasuredRows& rows, const TrackedMap& map, bool choose_crossings)
@@ -40,7 +40,7 @@ private:
     int triangle_at(const PieceEnd& end) const;
     glm::dvec2 place_of(const PieceEnd& end) const;
     void cross_straight(const Piece& piece, std::size_t first);
-    void choose(const Piece& piece, std::size_t first, std::size_t n, double squared_limit, double& error);
+    void choose(const Piece& piece, std::size_t first, std::size_t n, double squared_content, double& error);
     void take_better(const Piece& piece, const glm::dvec2& chosen, NewCrossing& crossing, double& error) const;
     auto difference(const Piece& piece, const NewCrossing& crossing) const;
     double error(const Piece& piece, const NewCrossing& crossing) const;

@@ -8,6 +8,10 @@
 namespace meshbound {
 namespace {
 
+/// A morph leads along the map between levels, so its errors are seen: beyond this share of the limit, which is that of both
+/// levels together, places are looked for that keep it within the bounds of the coarser one.
+constexpr double content_on_the_way = 0.3;
+
 /// Vertices of the input of which copies are left; the copies of one are neighbours in the numbering.
 std::vector<std::uint32_t> kept_vertices(const Surface& surface) {
     std::vector<std::uint32_t> kept;
@@ -80,8 +84,8 @@ private:
 } // namespace
 
 LinkedTracking::LinkedTracking(Tracking& from_original, Rows rows, const Surface& surface, const Options& options)
-    : from_original_(from_original), rows_(std::move(rows)), from_finer_(rows_, surface, options), surface_(&surface),
-      finer_vertices_(kept_vertices(surface)) {}
+    : from_original_(from_original), rows_(std::move(rows)), from_finer_(rows_, surface, options, content_on_the_way),
+      surface_(&surface), finer_vertices_(kept_vertices(surface)) {}
 
 std::unique_ptr<RemovalAccounting> LinkedTracking::removals() {
     return std::make_unique<LinkedRemoval>(from_original_.removals(), from_finer_.removals());

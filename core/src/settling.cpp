@@ -50,9 +50,9 @@ bool Settling::settle_vertex(std::size_t n, Settlement& settlement, WorstError& 
     double here = error(row, settlement);
     const auto scaled = [&] { return rows_.multipliers().scale_at(inner.vertex, here); };
     const bool free = inner.host == InnerVertex::Host::triangle, choose = choose_places_ && !inner.settled;
-    if (choose && scaled() > worst.squared_limit())
+    if (choose && scaled() > worst.squared_content())
         free ? choose_place(n, row, settlement, here) : choose_share(row, settlement, here);
-    if (choose && scaled() > worst.squared_limit())
+    if (choose && scaled() > worst.squared_content())
         free ? choose_place_tightly(n, row, settlement, here) : choose_share_tightly(row, settlement, here);
     return worst.take(scaled(), difference(row, settlement));
 }

@@ -12,9 +12,8 @@
 
 namespace meshbound {
 
-/// Where the vertices in a hole settle among its new triangles: where the layout puts them or, where the error is above the
-/// limit there and the map is free, where it is smallest. Looking on below the limit leaves no fewer triangles, and makes
-/// folds in the map for nothing.
+/// Where the vertices in a hole settle among its new triangles: where the layout puts them or, where the error is too high
+/// there and the map is free, where it is smallest.
 class Settling {
 public:
     Settling(const MeasuredRows& rows, HoleProducts& products, bool choose_places)

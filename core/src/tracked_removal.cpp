@@ -5,9 +5,9 @@
 namespace meshbound {
 
 TrackedRemoval::TrackedRemoval(const Rows& rows, const MeasuredRows& measured_rows, const Surface& surface,
-                               TrackedMap& map, const Options& options)
+                               TrackedMap& map, const Options& options, double content_with)
     : rows_(rows), measured_rows_(measured_rows), surface_(surface), map_(map), supply_(map.crossings),
-      choose_places_(options.choose_places), content_(surface), products_(measured_rows),
+      choose_places_(options.choose_places), content_with_(content_with), content_(surface), products_(measured_rows),
       cost_(measured_rows, products_), settling_(measured_rows, products_, options.choose_places),
       laying_(measured_rows, map, options.choose_crossings) {}
 
@@ -24,13 +24,14 @@ void TrackedRemoval::join(const std::vector<RemovalAccounting*>& parts, double s
         auto& tracked = static_cast<TrackedRemoval&>(*part);
         joined.push_back({tracked.hole_, &tracked.content_});
     }
-    ClosingShares(surface_, measured_rows_, choose_places_).agree(joined, squared_limit);
+    ClosingShares(surface_, measured_rows_, choose_places_)
+        .agree(joined, content_with_ * content_with_ * squared_limit);
 }
 
 std::size_t TrackedRemoval::work() const { return 1 + content_.vertices().size() / 8; }
 
 Measured TrackedRemoval::measure(const Retriangulation& retriangulation, double squared_limit) {
-    WorstError worst(measured_rows_, squared_limit);
+    WorstError worst(measured_rows_, squared_limit, content_with_);
     tree_.enter(*hole_, retriangulation);
     if (!settling_.settle(*hole_, tree_, retriangulation, content_.vertices(), worst)) return worst.measured();
     content_.find_pieces(map_.edges, map_.crossings, *hole_);

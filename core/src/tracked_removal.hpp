@@ -20,7 +20,7 @@ namespace meshbound {
 class TrackedRemoval final : public RemovalAccounting {
 public:
     TrackedRemoval(const Rows& rows, const MeasuredRows& measured_rows, const Surface& surface, TrackedMap& map,
-                   const Options& options);
+                   const Options& options, double content_with);
 
     void enter(const Hole& hole) override;
     void join(const std::vector<RemovalAccounting*>& parts, double squared_limit) override;
@@ -40,6 +40,7 @@ private:
     TrackedMap& map_;
     Crossings::Supply supply_;
     bool choose_places_;
+    double content_with_;
     HoleContent content_;
     HoleProducts products_;
     TrackedCost cost_;

@@ -5,11 +5,12 @@
 
 namespace meshbound {
 
-Tracking::Tracking(const Rows& rows, const Surface& surface, const Options& options)
-    : rows_(&rows), measured_rows_(rows), surface_(surface), options_(options), map_(surface) {}
+Tracking::Tracking(const Rows& rows, const Surface& surface, const Options& options, double content_with)
+    : rows_(&rows), measured_rows_(rows), surface_(surface), options_(options), content_with_(content_with),
+      map_(surface) {}
 
 std::unique_ptr<RemovalAccounting> Tracking::removals() {
-    return std::make_unique<TrackedRemoval>(*rows_, measured_rows_, surface_, map_, options_);
+    return std::make_unique<TrackedRemoval>(*rows_, measured_rows_, surface_, map_, options_, content_with_);
 }
 
 /// Places are places, whatever errors are measured in.

@@ -8,9 +8,12 @@ namespace meshbound {
 /// The worst of the errors of a removal, as they are met.
 class WorstError {
 public:
-    WorstError(const MeasuredRows& rows, double squared_limit) : rows_(rows), squared_limit_(squared_limit) {}
+    /// `content_with`: see Tracking.
+    WorstError(const MeasuredRows& rows, double squared_limit, double content_with)
+        : rows_(rows), squared_limit_(squared_limit), squared_content_(content_with * content_with * squared_limit) {}
 
-    double squared_limit() const { return squared_limit_; }
+    /// What has no larger error stays where the layout puts it.
+    double squared_content() const { return squared_content_; }
     const Measured& measured() const { return measured_; }
 
     /// Takes the error of a difference of rows into account; false when it is above the limit.
@@ -25,7 +28,7 @@ public:
 
 private:
     const MeasuredRows& rows_;
-    double squared_limit_;
+    double squared_limit_, squared_content_;
     Measured measured_;
 };
 
