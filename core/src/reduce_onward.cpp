@@ -19,6 +19,9 @@
 namespace meshbound {
 namespace {
 
+/// Early, tighter sweeps are what led to the waypoint. Another one leaves no fewer triangles, and takes a quarter of the time.
+const std::vector<double> sweeps_onward = {1};
+
 Status refuse_option(const std::string& option) {
     return {Fault::bad_option, option + " is judged by the original, which a waypoint is not.", "", {}};
 }
@@ -134,6 +137,7 @@ Status reduce_onward(const Waypoint& waypoint, const Bounds& bounds, const Optio
         if (Status status = subtract_spent(waypoint, rest); !status.ok()) return status;
         if (Status status = refuse_what_needs_original(options); !status.ok()) return status;
         Options onward = options;
+        onward.sweeps = sweeps_onward;
         if (Status status = translate_locked(waypoint, onward); !status.ok()) return status;
         if (Status status = check_options(waypoint.mesh, onward); !status.ok()) return status;
         reduction = ReductionRun(waypoint.mesh, onward, oddities, ticker).end_without_map(rest);

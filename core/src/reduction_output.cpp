@@ -93,10 +93,10 @@ void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::v
     }
 }
 
-void report_limits(const Multipliers& multipliers, double share, Report& report) {
+void report_limits(const Multipliers& multipliers, Report& report) {
     for (VariableReport& variable : report.variables) {
-        variable.error = share * multipliers.most() * variable.bound.absolute;
-        variable.ratio = std::isfinite(variable.bound.absolute) ? share : 0;
+        variable.error = multipliers.most() * variable.bound.absolute;
+        variable.ratio = std::isfinite(variable.bound.absolute) ? 1 : 0;
     }
 }
 

@@ -31,8 +31,7 @@ void extract_errors(const Surface& surface, const Rows& rows, const Accounting& 
 /// Why each vertex that is still there could not go. `candidate[v]`: whether it was allowed to at all.
 void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate, Report& report);
 
-/// What is not finished says of its errors what the sweeps made sure of, without looking at every triangle: this share of the
-/// bounds.
-void report_limits(const Multipliers& multipliers, double share, Report& report);
+/// A cancelled result says of its errors what the sweeps made sure of, without looking at every triangle.
+void report_limits(const Multipliers& multipliers, Report& report);
 
 } // namespace meshbound

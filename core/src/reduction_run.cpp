@@ -1,7 +1,6 @@
 #include "reduction_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <thread>
 #include <utility>
 
@@ -154,7 +153,9 @@ bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, Accounting& a
     const std::vector<double> limits = limits_of_sweeps(bounds);
     reached_ = bounds;
     const auto pass_waypoint = [&] {
-        if (waypoint_) *waypoint_ = waypoint_here(bounds, limits[limits.size() - 2]);
+        if (!waypoint_) return;
+        Waypoint here = waypoint_here(bounds);
+        if (!ticker_.cancelled()) *waypoint_ = std::move(here); // else its errors are not all measured
     };
     if (!sweeper.sweep(limits, ticker_, span.start, swept, pass_waypoint)) return false;
     count_refusals(surface_, sweeper, candidate, report);
@@ -163,8 +164,8 @@ bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, Accounting& a
     return true;
 }
 
-/// The surface as it is, all errors within this limit; of free variables they are unknown until they are measured.
-Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds, double limit) {
+/// The surface as it is. Its errors are measured, not taken from the limit of the sweep: some variables have spent less.
+Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds) {
     Reduction here;
     here.report = begin_report(mesh_, bounds, oddities_);
     here.report.non_manifold_vertices = surface_.non_manifold_vertices();
@@ -172,10 +173,7 @@ Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds, d
     here.report.unmet_boxes = unmet_boxes_;
     here.report.stopped = Stopped::on_the_way;
     extract_mesh(mesh_, surface_, here);
-    const bool any_free = std::any_of(bounds.begin(), bounds.end(),
-                                      [](const ResolvedBound& bound) { return std::isinf(bound.absolute); });
-    if (any_free) extract_errors(surface_, *rows_, *accounting_, here, team_, ticker_);
-    else report_limits(Multipliers(find_focus(mesh_, options_)), limit + (1 - rows_->limit()), here.report);
+    extract_errors(surface_, *rows_, *accounting_, here, team_, ticker_);
     here.report.triangles_after = here.mesh.triangles.size();
     here.report.vertices_after = here.vertices.size();
     if (!mesh_.regions.empty()) here.report.regions = report_regions(mesh_, here.mesh);
@@ -221,7 +219,7 @@ void ReductionRun::report_cancelled(Reduction& reduction) const {
     reduction = {};
     extract_mesh(mesh_, surface_, reduction);
     report.stopped = Stopped::cancelled;
-    report_limits(Multipliers(find_focus(mesh_, options_)), 1, report);
+    report_limits(Multipliers(find_focus(mesh_, options_)), report);
     reduction.report = std::move(report);
 }
 

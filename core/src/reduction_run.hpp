@@ -53,7 +53,7 @@ private:
     std::vector<double> limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const;
     bool sweep(const std::vector<ResolvedBound>& bounds, Accounting& accounting, const ProgressSpan& span,
                Report& report);
-    Waypoint waypoint_here(const std::vector<ResolvedBound>& bounds, double limit);
+    Waypoint waypoint_here(const std::vector<ResolvedBound>& bounds);
     void sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction, const ProgressSpan& span,
                           LevelLink* link);
     void report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link);

@@ -34,14 +34,18 @@ interface Parts {
   whole: number;
 }
 
-function partsOf({ start, steps, pictures }: Way): Parts {
+/** What answers: a reduction from a waypoint, provisional, or the one from the original. */
+type Answer = 'reduceOnward' | 'reduce';
+
+function partsOf({ start, steps, pictures }: Way, answer: Answer = 'reduce'): Parts {
   const named = (name: string) => steps.filter((step) => step.name === name);
   const duration = (step: Step | undefined) => (step ? step.end - step.start : 0);
-  const reduction = named('reduce').at(-1);
-  const prepared = named('prepare').at(-1);
+  const reduction = named(answer).at(-1);
+  const prepared = named('prepare').find(({ end }) => reduction && end > reduction.end);
   if (!reduction || !prepared) throw new Error('The page reduced nothing.');
-  const [triangles, left] = [pictures, pictures.slice(-1)].map((some) => Math.max(...some.map((one) => one.triangles)));
-  const picture = pictures.find(({ end, triangles: drawn }) => end > prepared.end && drawn === left);
+  const triangles = Math.max(...pictures.map((one) => one.triangles));
+  const picture = pictures.find(({ end, triangles: drawn }) => end > prepared.end && drawn < triangles);
+  const left = picture?.triangles;
   const inspection = named('inspect').at(-1);
   return {
     triangles: triangles ?? 0,
@@ -61,7 +65,7 @@ function partsOf({ start, steps, pictures }: Way): Parts {
 export function fileTable(ways: Way[]): string {
   const head = ['triangles', 'left', 'seconds', 'reading', 'checking', 'reducing', 'around it', 'preparing', 'drawing'];
   const lines = ways
-    .map(partsOf)
+    .map((way) => partsOf(way))
     .map((parts) => [
       ...[parts.triangles, parts.left, (parts.whole / 1000).toFixed(2)],
       ...[parts.reading, parts.checking, parts.core, parts.around, parts.preparing, parts.drawing].map(share(parts)),
@@ -70,20 +74,36 @@ export function fileTable(ways: Way[]): string {
   return markdown([...head, 'original shown after'], lines);
 }
 
-/** From the move of a slider: the median of several. */
+/** From the move of a slider to each answer: the median of several. A surface that is reduced at once has only one. */
 export function dragTable(drags: Way[][]): string {
-  const head = ['left', 'milliseconds', 'waiting', 'reducing', 'around it', 'preparing', 'drawing'];
-  const lines = drags.map((ways) => {
-    const all = ways.map(partsOf);
-    const middle = (part: keyof Parts) => median(all, (parts) => parts[part]) ?? 0;
-    const whole = middle('whole');
-    const done = middle('core') + middle('around') + middle('preparing') + middle('drawing');
-    return [
-      ...[middle('left'), whole.toFixed(0), share({ whole })(whole - done)],
-      ...(['core', 'around', 'preparing', 'drawing'] as const).map((part) => share({ whole })(middle(part))),
-    ];
+  const head = [
+    'triangles',
+    'answer',
+    'left',
+    'milliseconds',
+    'waiting',
+    'reducing',
+    'around it',
+    'preparing',
+    'drawing',
+  ];
+  const lines = drags.flatMap((ways) => {
+    const hasDrafts = ways.every(({ steps }) => steps.some(({ name }) => name === 'reduceOnward'));
+    return [...(hasDrafts ? [dragLine(ways, 'reduceOnward')] : []), dragLine(ways, 'reduce')];
   });
   return markdown(head, lines);
+}
+
+function dragLine(ways: Way[], answer: Answer): (string | number)[] {
+  const all = ways.map((way) => partsOf(way, answer));
+  const middle = (part: keyof Parts) => median(all, (parts) => parts[part]) ?? 0;
+  const whole = middle('whole');
+  const done = middle('core') + middle('around') + middle('preparing') + middle('drawing');
+  return [
+    ...[middle('triangles'), answer === 'reduce' ? 'exact' : 'provisional', middle('left'), whole.toFixed(0)],
+    share({ whole })(whole - done),
+    ...(['core', 'around', 'preparing', 'drawing'] as const).map((part) => share({ whole })(middle(part))),
+  ];
 }
 
 function share({ whole }: { whole: number }): (time: number) => string {

@@ -64,6 +64,7 @@ export interface Counts {
 
 /** The numbers of triangles that the sentence states. */
 export async function counts(page: Page): Promise<Counts> {
+  await expect(sentence(page)).not.toContainText('Provisional');
   const text = (await sentence(page).innerText()).replace(/[\u202f\u00a0]/g, '');
   const [, after, before] = /^(\d+) of (\d+) triangles/.exec(text) ?? [];
   return { after: Number(after), before: Number(before) };

@@ -1,7 +1,7 @@
 import { describe, expect, test, vi } from 'vitest';
 import type { Levels, LevelsOptions, Mesh, Reduction } from '../../wasm/types.ts';
 import { coarser, LevelSession } from '../../web/session/level-session.ts';
-import { Session } from '../../web/session/session.ts';
+import { type Reduced, Session } from '../../web/session/session.ts';
 
 const mesh: Mesh = {
   position: new Float32Array(9),
@@ -38,6 +38,7 @@ async function setUp() {
       },
     }),
     reduce: async () => ({ mesh }) as Reduction,
+    reduceOnward: async () => ({ mesh }) as Reduction,
     read: async () => ({ mesh, notes: [], labels: { units: {}, componentNames: {} } }),
     fetchBytes: async () => new Uint8Array(),
   });
@@ -144,4 +145,25 @@ test('coarser bounds stay free where they are free', () => {
   expect(coarser(bounds, 4).position.fraction).toBe(0.04);
   expect(coarser(bounds, 4).p.free).toBe(true);
   expect(coarser({ position: { fraction: 0.01, free: true } }, 2).position.free).toBe(true);
+});
+
+test('levels are those of no provisional answer: they go with it, and come with what takes its place', () => {
+  const reduced = { result: { mesh }, bounds: {} } as unknown as Reduced;
+  const session = Object.assign(new EventTarget(), {
+    state: { surface: { mesh }, reduced, provisional: null as Reduced | null },
+    report: vi.fn(),
+  });
+  const made = vi.fn(() => new Promise<Levels>(() => {}));
+  const levels = new LevelSession(session as unknown as Session, made);
+  const become = (change: Partial<typeof session.state>) => {
+    session.state = { ...session.state, ...change };
+    session.dispatchEvent(new Event('change'));
+  };
+  become({ reduced: { ...reduced } });
+  levels.setCount(2);
+  expect(levels.state.progress).toBe(0);
+  become({ provisional: { ...reduced } });
+  expect(levels.state).toMatchObject({ nested: null, progress: null });
+  become({ provisional: null });
+  expect(levels.state.progress).toBe(0);
 });

@@ -50,6 +50,9 @@ function setUp(overrides: Partial<Services> = {}) {
         options.signal?.addEventListener('abort', () => reject(new DOMException('aborted', 'AbortError')));
         runs.push({ mesh, options, finish: () => resolve({ mesh } as Reduction), fail: reject });
       }),
+    reduceOnward: async () => {
+      throw new Error('Nothing gave a waypoint.');
+    },
     read: async () => fileWith(meshWith('pressure')),
     fetchBytes: async () => new Uint8Array(),
     ...overrides,

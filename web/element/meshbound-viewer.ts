@@ -1,5 +1,5 @@
 import { html, LitElement, nothing, type PropertyValues } from 'lit';
-import { inspect, reduce, reduceLevels, segment } from '../../wasm/index.ts';
+import { inspect, reduce, reduceLevels, reduceOnward, segment } from '../../wasm/index.ts';
 import type { Levels, Reduction, Report } from '../../wasm/types.ts';
 import type { ValueColormap } from '../colour/colormaps.ts';
 import type { Probe } from '../probe/probe.ts';
@@ -10,7 +10,7 @@ import { LevelSession, mostLevels } from '../session/level-session.ts';
 import type { Method } from '../session/method.ts';
 import { Probing } from '../session/probing.ts';
 import { readInWorker } from '../session/read.ts';
-import { type Reduced, Session, type SessionState } from '../session/session.ts';
+import { answerOf, type OpenSurface, type Reduced, Session, type SessionState } from '../session/session.ts';
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
 import { download, type SavedKind, savedFile } from './download.ts';
@@ -53,7 +53,7 @@ const lazyMargin = '200px';
  *
  * @fires {CustomEvent<{ name: string, variables: string[] }>} load - A surface is open.
  * @fires {CustomEvent<{ phase: Phase, progress: number }>} progress - What is being done, and how far everything is, 0…1.
- * @fires {CustomEvent<Report>} reduce - A reduction has ended well: its report.
+ * @fires {CustomEvent<Report>} reduce - A reduction has ended well: its report. What is shown as provisional while bounds move is none.
  * @fires {CustomEvent<{ probe: Probe | null, pinned: boolean }>} probe - Another place is pointed at or pinned: what stands there on both surfaces, and each error; null where none is any more.
  * @fires {CustomEvent<{ place: number[] | null }>} pin - Another place of the original is pinned: where, in the unit of position; null where none is any more.
  * @fires {CustomEvent<Report[]>} levels - Levels of detail are there: the report of each, finest first.
@@ -240,7 +240,7 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
   declare drawnOnce: boolean;
 
   /** What is open, asked for and reached; for the page that is built around the element. @internal */
-  readonly session = new Session({ inspect, reduce, read: readInWorker, fetchBytes });
+  readonly session = new Session({ inspect, reduce, reduceOnward, read: readInWorker, fetchBytes });
   /** Levels of detail of what the session reached. @internal */
   readonly levels = new LevelSession(this.session, reduceLevels);
   #probing = new Probing(segment, (error) => this.session.report(error));
@@ -386,12 +386,12 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
     this.levels.setPixels(pixels !== null && pixels > 0 ? pixels : null);
   }
 
-  /** What the last reduction reached; null where there is none. */
+  /** What the last reduction reached, provisional answers aside; null where there is none. */
   get report(): Report | null {
     return this.reduction?.report ?? null;
   }
 
-  /** The last reduction: mesh, map, errors, report; null where there is none. Its arrays are the viewer's. */
+  /** The last reduction, provisional answers aside: mesh, map, errors, report; null where there is none. Its arrays are the viewer's. */
   get reduction(): Reduction | null {
     return this.session.state.reduced?.result ?? null;
   }
@@ -435,9 +435,9 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
     Object.assign(this, { [property]: given });
   }
 
-  /** What is shown and saved: the last result, or a level of detail of it. @internal */
+  /** What is shown, and saved unless it is provisional: the answer at hand, or a level of detail of it. @internal */
   get shown(): Reduced | null {
-    return this.levels.shown ?? this.session.state.reduced;
+    return this.levels.shown ?? answerOf(this.session.state);
   }
 
   /** Opens a file of the user's, and those chosen together with it: variables in CSV, what a glTF file refers to. */
@@ -509,12 +509,14 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
   /**
    * Offers a download: the reduced surface as `ply`, `vtp`, `vtk`, `glb`, `obj` or `stl`, the `report` as JSON, or the `map`
    * as VTP (the original with where each vertex went and what error it has there), or all `levels` of detail as one GLB, where there
-   * are some. What a format cannot hold is said.
+   * are some. What a format cannot hold is said. What is provisional is not saved, but what takes its place, as soon as that
+   * is there.
    */
   async save(kind: SavedKind): Promise<void> {
     const { surface } = this.session.state;
+    if (!surface || !(await this.#settled(surface))) return;
     const reduced = this.shown;
-    if (!surface || !reduced) return;
+    if (!reduced) return;
     try {
       const { name, content, losses } = await savedFile(surface, reduced, this.levels.state.nested, kind);
       download(name, content);
@@ -522,6 +524,22 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
     } catch (error) {
       this.session.report(error);
     }
+  }
+
+  /** Whether what is shown of a surface is not provisional, or came to that. */
+  #settled(surface: OpenSurface): Promise<boolean> | true {
+    const { provisional, reduced } = this.session.state;
+    if (!provisional) return true;
+    this.session.tell(english.progress.savedLater);
+    return new Promise((resolve) => {
+      const listen = () => {
+        const { state } = this.session;
+        if (state.provisional) return;
+        this.session.removeEventListener('change', listen);
+        resolve(state.surface === surface && state.reduced !== reduced);
+      };
+      this.session.addEventListener('change', listen);
+    });
   }
 
   override disconnectedCallback(): void {
@@ -558,7 +576,7 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
   }
 
   override render() {
-    const { surface, reduced, progress, notices, keeping } = this.session.state;
+    const { surface, progress, notices, keeping } = this.session.state;
     return html`
       ${this.controls ? this.#controls() : nothing}
       <div class="stage" part="stage">
@@ -567,7 +585,7 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
           aria-label=${this.alt ?? (surface?.name || nothing)}
           exportparts="pane, caption, legend, legend-title, legend-bar, legend-ticks, canvas, divider, marker, probe"
           .surface=${surface}
-          .result=${reduced?.result ?? null}
+          .result=${answerOf(this.session.state)?.result ?? null}
           .levels=${this.#levelView}
           .keeping=${keeping}
           .position=${this.levels.state.position}
@@ -713,7 +731,7 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
     this.#seen = now;
     this.requestUpdate();
     this.#probing.mayCut = now.progress === null;
-    if (now.reduced !== before.reduced) this.#drawn = now.reduced === null;
+    if (answerOf(now) !== answerOf(before)) this.#drawn = answerOf(now) === null;
     if (now.surface && now.surface !== before.surface) {
       const { name, variables } = now.surface;
       this.#fire('load', { name, variables: variables.map((variable) => variable.name) });

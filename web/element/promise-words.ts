@@ -15,6 +15,14 @@ export function isFree({ bound }: VariableReport): boolean {
   return !Number.isFinite(bound);
 }
 
+/**
+ * Whether a result is there only until the one from the original is: of what a session shows, what was reduced onward from a
+ * waypoint is.
+ */
+export function isProvisional({ summed }: Report): boolean {
+  return summed;
+}
+
 /** Whether errors were measured against the original (tracked); otherwise they are limits from above (propagated). */
 export function isMeasured({ vertexErrors }: Reduction): boolean {
   return vertexErrors !== undefined;

@@ -5,7 +5,7 @@ import { english } from '../words/english.ts';
 import { controlsStyle } from './controls-style.ts';
 import { percentText, secondsText } from './number-text.ts';
 import { openingText } from './progress.ts';
-import { promiseSentence } from './promise-words.ts';
+import { isProvisional, promiseSentence } from './promise-words.ts';
 
 /**
  * The result as one sentence, what it cost, and, in its slot, where to take it.
@@ -130,7 +130,7 @@ export class ResultBar extends LitElement {
     return html`
       <div class="said ${this.whole ? 'whole' : ''}">
         <p part="sentence" class="sentence ${this.progress === null ? '' : 'provisional'}" role="status">
-          ${this.report ? promiseSentence(this.report, this.measured, this.multiplied) : ''}
+          ${this.report ? this.#sentence(this.report) : ''}
         </p>
         ${this.cut || this.whole ? this.#moreButton() : nothing}
       </div>
@@ -163,6 +163,11 @@ export class ResultBar extends LitElement {
     else sentence.removeAttribute('tabindex');
   }
 
+  #sentence(report: Report): string {
+    const sentence = promiseSentence(report, this.measured, this.multiplied);
+    return isProvisional(report) ? `${english.sentence.provisional} ${sentence}` : sentence;
+  }
+
   #moreButton() {
     const { all, less } = english.sentence;
     return html`<button class="more" aria-expanded=${this.whole} @click=${() => {
@@ -173,7 +178,9 @@ export class ResultBar extends LitElement {
   #numbers() {
     if (this.opening) return html`<span>${openingText(this.opening)}</span>${this.#cancelButton()}`;
     if (this.progress !== null) {
-      return html`<span>${english.progress.reducing(Math.round(100 * this.progress))}</span>
+      const { exact, reducing } = english.progress;
+      const say = this.report && isProvisional(this.report) ? exact : reducing;
+      return html`<span>${say(Math.round(100 * this.progress))}</span>
         ${this.#cancelButton()}`;
     }
     if (this.cancelled) {

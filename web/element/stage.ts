@@ -28,6 +28,7 @@ import './legend.ts';
 import { drawLegend } from './legend-picture.ts';
 import type { LevelStep, LevelView, MorphStep } from './level-view.ts';
 import { countText } from './number-text.ts';
+import { isProvisional } from './promise-words.ts';
 import './probe-layer.ts';
 import { english } from '../words/english.ts';
 import type { ProbeLayer } from './probe-layer.ts';
@@ -105,8 +106,10 @@ export class Stage extends LitElement {
   #coming: MorphSource | null = null;
   /** Where the corners of the morph that is drawn lie on its two levels. */
   #morphCorners: readonly [finer: MorphCorners, coarser: MorphCorners] | null = null;
-  /** The result that the reduced side has drawn: errors on the original side are its errors. */
+  /** The result that the reduced side has drawn. */
   #drawnResult: Multiplied | null = null;
+  /** Errors on the original side are those of the last one that is not provisional, which tells of none there. */
+  #exactResult: Multiplied | null = null;
   #toldShown: Shown = { mesh: null, reduction: null };
   #outlines = new StageOutlines();
   #pointing = new StageProbe(this.#probedStage());
@@ -216,8 +219,10 @@ export class Stage extends LitElement {
     const step = this.#step();
     if (step && 'morph' in step) return html`${english.stage.onTheWay} <b>${step.from + 1}</b>`;
     if (step?.level === 0) return html`${english.stage.levelZero}`;
-    const count = (step?.result ?? this.result).report.triangles.after;
-    return html`${step ? english.stage.level(step.level) : english.stage.reduced} <b>${countText(count)}</b> ${english.triangles(count)}`;
+    const result = step?.result ?? this.result;
+    const count = result.report.triangles.after;
+    const mark = isProvisional(result.report) ? html`, <i>${english.stage.provisional}</i>` : nothing;
+    return html`${step ? english.stage.level(step.level) : english.stage.reduced} <b>${countText(count)}</b> ${english.triangles(count)}${mark}`;
   }
 
   override firstUpdated(): void {
@@ -237,7 +242,7 @@ export class Stage extends LitElement {
     this.#viewer?.dispose();
     this.#viewer = null;
     this.#drawn = [null, null];
-    this.#drawnResult = null;
+    this.#drawnResult = this.#exactResult = null;
   }
 
   #begin(): void {
@@ -415,6 +420,8 @@ export class Stage extends LitElement {
 
   #changedResult(result: Multiplied | null): void {
     this.#drawnResult = result;
+    if (result && isProvisional(result.report)) return;
+    this.#exactResult = result;
     if (this.settings.quantity !== 'value') this.#repaint(original);
   }
 
@@ -536,7 +543,7 @@ export class Stage extends LitElement {
       return this.levels.colouring(step.level, this.settings);
     }
     const mesh = this.#drawn[side] as Mesh | null;
-    const [surface, result] = [this.surface, this.#drawnResult];
+    const [surface, result] = [this.surface, side === original ? this.#exactResult : this.#drawnResult];
     if (!mesh || !surface) return null;
     if (this.settings.quantity === 'value' || !result) return valueColouring(mesh, surface, this.settings);
     if (side === reduced) return reducedErrors(result, surface.labels, this.settings);

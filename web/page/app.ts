@@ -9,6 +9,7 @@ import { surfaceAmong } from '../formats/surface-among.ts';
 import { messageOf } from '../session/failure.ts';
 import { type Keeping, nothingKept } from '../session/keeping.ts';
 import type { Method } from '../session/method.ts';
+import { answerOf } from '../session/session.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';
@@ -145,8 +146,8 @@ export class App extends LitElement {
 
   override render() {
     const { session } = this.viewer;
-    const { surface, bounds, canUndo, canRedo, method, keeping, reduced, opening, progress, cancelled } = session.state;
-    const result = reduced?.result ?? null;
+    const { surface, bounds, canUndo, canRedo, method, keeping, opening, progress, cancelled } = session.state;
+    const result = answerOf(session.state)?.result ?? null;
     const measured = result !== null && isMeasured(result);
     return html`
       <meshbound-toolbar
@@ -210,7 +211,7 @@ export class App extends LitElement {
         @cancel=${() => session.cancel()}
         @reduce-again=${() => session.reduceAgain()}
       >
-        ${this.#saveMenu(reduced !== null)}
+        ${this.#saveMenu(result !== null)}
       </meshbound-result-bar>
       <meshbound-key-sheet></meshbound-key-sheet>
       <div class="drop ${this.#drop.hovering ? 'hovering' : ''}">${pageEnglish.page.drop}</div>

@@ -1,7 +1,7 @@
 import type { Levels, LevelsOptions, Mesh } from '../../wasm/index.ts';
 import { asBounds, type BoundSettings, largestFraction, moveAll } from './bound-setting.ts';
 import { Latest, superseded } from './latest.ts';
-import type { OpenSurface, Reduced, Session } from './session.ts';
+import { answerOf, type OpenSurface, type Reduced, type Session } from './session.ts';
 import { levelsOf, taskOf } from './task.ts';
 
 /** Levels of detail of the surface that is open. Never changed in place: a change replaces it. */
@@ -33,7 +33,8 @@ export function coarser(bounds: BoundSettings, factor: number): BoundSettings {
 }
 
 /**
- * Makes levels of detail of every result of a session, if any are wanted: the finest has the session's bounds. Emits `change`
+ * Makes levels of detail of every result of a session, if any are wanted, but of no provisional one: the finest has the
+ * session's bounds. Emits `change`
  * whenever its state changes; faults become notices of the session.
  */
 export class LevelSession extends EventTarget {
@@ -83,16 +84,16 @@ export class LevelSession extends EventTarget {
   }
 
   #follow(): void {
-    const { reduced } = this.#session.state;
-    if (reduced === this.#of) return;
-    this.#of = reduced;
+    const answer = answerOf(this.#session.state);
+    if (answer === this.#of) return;
+    this.#of = answer;
     this.#start();
   }
 
   #start(): void {
     this.#making.abort();
-    const { surface } = this.#session.state;
-    const wanted = this.#state.count > 0 && this.#of !== null && surface !== null;
+    const { surface, provisional } = this.#session.state;
+    const wanted = this.#state.count > 0 && this.#of !== null && surface !== null && provisional === null;
     this.#update({ nested: null, results: [], progress: wanted ? 0 : null });
     if (wanted) void this.#make(surface, this.#of as Reduced);
   }

@@ -1,4 +1,4 @@
-import type { Inspection, Mesh, ReduceOptions, Reduction } from '../../wasm/index.ts';
+import type { Inspection, Mesh, OnwardOptions, ReduceOptions, Reduction, Waypoint } from '../../wasm/index.ts';
 import type { NamedFile } from '../formats/read-together.ts';
 import type { OpenedFile } from './read.ts';
 
@@ -14,6 +14,7 @@ export interface Services {
   /** Rejects with an error that has a `code`, and a `variable` where one is at fault. */
   inspect(mesh: Mesh, watchers?: Watchers): Promise<Inspection>;
   reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduction>;
+  reduceOnward(waypoint: Waypoint, options: OnwardOptions): Promise<Reduction>;
   /** `beside` are the files that were chosen together with this one. */
   read(name: string, bytes: Uint8Array<ArrayBuffer>, watchers?: Watchers, beside?: NamedFile[]): Promise<OpenedFile>;
   fetchBytes(address: string, watchers?: Watchers): Promise<Uint8Array<ArrayBuffer>>;

@@ -22,6 +22,7 @@ import { oddityNotes } from './oddity-notes.ts';
 import type { OpenedFile } from './read.ts';
 import type { Services } from './services.ts';
 import { resultOf, taskOf } from './task.ts';
+import { canGoOnward, Waypoints } from './waypoints.ts';
 
 /** Where a surface comes from. */
 interface Source {
@@ -94,14 +95,25 @@ export interface SessionState {
   cancelled: boolean;
   /** The last good reduction of this surface: of earlier bounds where another one runs. */
   reduced: Reduced | null;
+  /**
+   * While bounds move and until the reduction is there: an answer from a waypoint, which keeps its bounds, but is not the one
+   * that counts. Null where there is none, and always where nothing runs.
+   */
+  provisional: Reduced | null;
   notices: readonly Notice[];
 }
 
+/** What is to be seen of a session: the answer at hand. */
+export function answerOf({ provisional, reduced }: SessionState): Reduced | null {
+  return provisional ?? reduced;
+}
+
 /**
- * A slider that is being dragged sends many changes. The reduction that runs then is of earlier bounds, but what it gives
- * shows the way, until the slider rests this long, in milliseconds: then it makes room for the last one.
+ * A slider that is being dragged sends many changes. Until it rests this long, in milliseconds, they are answered from a
+ * waypoint; where there is none, a reduction that runs goes on meanwhile, though of earlier bounds, and shows the way. Then
+ * the reduction with the last of them starts.
  */
-const restBeforeAbort = 60;
+const restBeforeReducing = 60;
 
 const emptyState: SessionState = {
   opening: null,
@@ -114,6 +126,7 @@ const emptyState: SessionState = {
   progress: null,
   cancelled: false,
   reduced: null,
+  provisional: null,
   notices: [],
 };
 
@@ -125,6 +138,8 @@ export class Session extends EventTarget {
   #services: Services;
   #opening = new Latest();
   #reducing = new Latest();
+  #drafting = new Latest();
+  #waypoints = new Waypoints();
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** The bounds have changed since the reduction that runs began. */
   #isStale = false;
@@ -230,7 +245,7 @@ export class Session extends EventTarget {
       this.#stay();
     } else if (this.#state.progress !== null) {
       this.#stopReducing();
-      this.#update({ progress: null, cancelled: true });
+      this.#update({ progress: null, cancelled: true, provisional: null });
     }
   }
 
@@ -238,7 +253,7 @@ export class Session extends EventTarget {
   stop(): void {
     this.#opening.abort();
     this.#stopReducing();
-    this.#state = { ...this.#state, opening: null, progress: null };
+    this.#state = { ...this.#state, opening: null, progress: null, provisional: null };
   }
 
   /** Tells the user of a fault; a lasting one is not about the file that is open. */
@@ -259,6 +274,7 @@ export class Session extends EventTarget {
     clearTimeout(this.#timer);
     this.#isStale = false;
     this.#reducing.abort();
+    this.#drafting.abort();
   }
 
   async #read(
@@ -304,7 +320,8 @@ export class Session extends EventTarget {
     { mesh, labels, notes, locked, regions }: OpenedFile,
     { variables, oddities }: Inspection,
   ): void {
-    this.#reducing.abort();
+    this.#stopReducing();
+    this.#waypoints.clear();
     const surface = { ...source, mesh, labels, variables, locked, regions };
     const bounds = this.#firstBounds(variables);
     this.#history = historyOf(bounds);
@@ -318,6 +335,7 @@ export class Session extends EventTarget {
       progress: 0,
       cancelled: false,
       reduced: null,
+      provisional: null,
     });
     for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
     const choosable = choosableRegionNotes(regions, this.#state.keeping.regions);
@@ -361,12 +379,51 @@ export class Session extends EventTarget {
     this.#mix = present;
     const [canUndo, canRedo] = [past.length > 0, future.length > 0];
     this.#update({ bounds: present, canUndo, canRedo, progress: 0, cancelled: false });
-    if (this.#reducing.isRunning) {
+    this.#follow();
+  }
+
+  /** Answers bounds that have changed: from a waypoint at once, and from the original when they rest. */
+  #follow(): void {
+    clearTimeout(this.#timer);
+    if (this.#drafting.isRunning) return; // and goes on to these
+    if (this.#waypoints.nearest(this.#state)) {
+      this.#reducing.abort();
+      void this.#draft();
+    } else if (this.#reducing.isRunning) {
       this.#isStale = true;
-      clearTimeout(this.#timer);
-      this.#timer = setTimeout(() => void this.#reduce(), restBeforeAbort);
+      this.#reduceAtRest();
     } else {
       void this.#reduce();
+    }
+  }
+
+  #reduceAtRest(): void {
+    this.#timer = setTimeout(() => void this.#reduce(), restBeforeReducing);
+  }
+
+  /** One answer after the other, each to the newest bounds: those in between are left out. */
+  async #draft(): Promise<void> {
+    this.#isStale = false;
+    let answer: Reduced | null | typeof superseded;
+    do {
+      answer = await this.#drafting.run((signal) => this.#answerFromWaypoint(signal));
+      if (answer === superseded) return;
+      if (answer) this.#update({ provisional: answer });
+    } while (answer && answer.bounds !== this.#state.bounds);
+    this.#reduceAtRest();
+  }
+
+  /** Null where no waypoint serves, or where something is wrong: the reduction from the original will say what. */
+  async #answerFromWaypoint(signal: AbortSignal): Promise<Reduced | null> {
+    const { surface, bounds, method, keeping } = this.#state;
+    const waypoint = this.#waypoints.nearest(this.#state);
+    if (!surface || !waypoint) return null;
+    const { options } = taskOf(surface, method, keeping);
+    try {
+      const result = await this.#services.reduceOnward(waypoint, { bounds: asBounds(bounds), ...options, signal });
+      return { result, bounds, method, keeping };
+    } catch {
+      return null;
     }
   }
 
@@ -374,27 +431,32 @@ export class Session extends EventTarget {
   async #reduce(): Promise<void> {
     clearTimeout(this.#timer);
     this.#isStale = false;
+    this.#drafting.abort();
     const { surface, bounds, method, keeping } = this.#state;
     if (!surface) return;
     this.#update({ notices: this.#state.notices.filter(({ ofReduction }) => !ofReduction) });
     try {
-      const result = await this.#reducing.run(async (signal) => {
+      const outcome = await this.#reducing.run(async (signal) => {
         const task = taskOf(surface, method, keeping);
         const onProgress = (progress: number) => {
           if (!signal.aborted) this.#update({ progress });
         };
-        const options = { bounds: asBounds(bounds), ...task.options, signal, onProgress };
+        const waypoint = canGoOnward(this.#state);
+        const options = { bounds: asBounds(bounds), ...task.options, waypoint, signal, onProgress };
         return resultOf(task, await this.#services.reduce(task.mesh, options));
       });
-      if (result === superseded) return;
-      this.#update({ reduced: { result, bounds, method, keeping }, progress: this.#isStale ? 0 : null });
+      if (outcome === superseded) return;
+      const { waypoint, ...result } = outcome;
+      const reduced = { result, bounds, method, keeping };
+      this.#waypoints.keep(result, waypoint, reduced);
+      this.#update({ reduced, provisional: null, progress: this.#isStale ? 0 : null });
     } catch (error) {
       if (!this.#isStale) {
         this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), ofReduction: true });
-        this.#update({ progress: null });
+        this.#update({ provisional: null, progress: null });
       }
     }
-    if (this.#isStale) await this.#reduce();
+    if (this.#isStale) this.#follow();
   }
 
   #update(change: Partial<SessionState>): void {

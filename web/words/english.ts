@@ -29,7 +29,7 @@ export const english = {
     free: (names: string[]) => `Free, so nothing promised: ${listed(names)}.`,
   },
 
-  sentence: { all: 'Show all', less: 'Show less' },
+  sentence: { provisional: 'Provisional:', all: 'Show all', less: 'Show less' },
 
   heldBack: {
     nothing: 'Nothing holds it back.',
@@ -46,6 +46,8 @@ export const english = {
     phases: { download: 'Downloading', read: 'Reading', check: 'Checking' },
     percent: (percent: number) => ` ${percent}${space}%`,
     reducing: (percent: number) => `Reducing… ${percent}${space}%`,
+    exact: (percent: number) => `Exact answer… ${percent}${space}%`,
+    savedLater: 'Saved as soon as the exact answer is there: what is shown now is provisional.',
     cancel: 'Cancel',
     cancelled: 'Cancelled',
     keptBefore: 'The result shown, and saved, is the one before.',
@@ -78,6 +80,7 @@ export const english = {
     reduced: 'Reduced',
     reducing: 'Reducing…',
     notReduced: 'Not reduced',
+    provisional: 'provisional',
     level: (level: number) => `Level ${level}`,
     levelZero: 'Original, as level 0',
     onTheWay: 'On the way to level',

@@ -50,8 +50,8 @@ struct Reduction {
 /// answers at once, its report gives the bounds for errors, and map, triangle and vertex errors are empty.
 ///
 /// `waypoint`, where given, is filled with the surface before the last sweep, which lies within the share of the bounds of the
-/// sweep before that; Options::sweeps must have two sweeps at least. It changes nothing else, and costs next to nothing but
-/// where a variable is free: then errors are measured. A call that is cancelled before leaves it untouched.
+/// sweep before that; Options::sweeps must have two sweeps at least. It changes nothing else, and takes a few percent of the
+/// time, for its errors are measured. A call that is cancelled before leaves it untouched.
 Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Reduction& reduction,
               const Progress& progress = {}, Waypoint* waypoint = nullptr);
 

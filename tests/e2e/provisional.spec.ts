@@ -1,0 +1,113 @@
+// While a slider moves a large surface is answered at once, and what is shown meanwhile says that it is provisional.
+import { expect, type Page, test } from '@playwright/test';
+import { counts, saved, sentence } from './open-page.ts';
+
+const patience = { timeout: 60_000 };
+const bound = (page: Page) => page.getByRole('slider', { name: 'Bound of position' });
+const caption = (page: Page) => page.locator('#reduced .caption');
+
+declare global {
+  interface Window {
+    /** Lets reductions from the original begin that wait for it, and all that come later; before, they are held back. */
+    release: (() => void) | undefined;
+    hold(): void;
+  }
+}
+
+/** Runs in the page before anything else does. */
+function watchReductions(): void {
+  const { Worker } = window;
+  let held: (() => void)[] = [];
+  window.hold = () => {
+    window.release = () => {
+      for (const begin of held) begin();
+      held = [];
+      window.release = undefined;
+    };
+  };
+  window.Worker = class extends Worker {
+    override postMessage(message: unknown, options?: StructuredSerializeOptions | Transferable[]): void {
+      const begin = () => super.postMessage(message, options as StructuredSerializeOptions);
+      const { task } = message as { task?: { kind: string } };
+      if (window.release && task?.kind === 'reduce') held.push(begin);
+      else begin();
+    }
+  };
+}
+
+/** With a surface whose reduction takes so long that it is answered from a waypoint meanwhile. */
+async function openLarge(page: Page): Promise<void> {
+  await page.addInitScript(watchReductions);
+  await page.goto('./#src=samples/fireballs-fine.ply');
+  await expect(caption(page)).toContainText(/Reduced [1-9]/, patience);
+  await page.evaluate(() => window.hold());
+}
+
+test.describe.configure({ timeout: 120_000 });
+
+test('an answer from a waypoint says what it is, and makes room for the exact one without a jump', async ({ page }) => {
+  await openLarge(page);
+  const first = await counts(page);
+  await page.evaluate(() => {
+    const viewer = document.querySelector('meshbound-app')?.shadowRoot?.querySelector('meshbound-viewer');
+    const told: boolean[] = [];
+    viewer?.addEventListener('reduce', (event) => told.push((event as CustomEvent).detail.summed));
+    Object.assign(window, { told });
+  });
+  await bound(page).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(sentence(page)).toContainText(/Provisional: \d+ of/, patience);
+  await expect(sentence(page)).toContainText('proved');
+  await expect(page.locator('.numbers')).toContainText('Exact answer…');
+  await expect(caption(page)).toContainText('provisional');
+  const room = () => page.locator('meshbound-stage').boundingBox();
+  const before = await room();
+  await page.evaluate(() => window.release?.());
+  await expect(sentence(page)).not.toContainText('Provisional', patience);
+  await expect(page.locator('.numbers')).toContainText('removed');
+  await expect(caption(page)).not.toContainText('provisional');
+  expect(await room()).toEqual(before);
+  expect((await counts(page)).after).not.toBe(first.after);
+  expect(await page.evaluate(() => (window as unknown as { told: boolean[] }).told)).toEqual([false]);
+});
+
+test('errors that the original shows stay while the answer is provisional', async ({ page }) => {
+  await openLarge(page);
+  await page.getByLabel('Show').selectOption('error');
+  const legend = page.locator('#original meshbound-legend');
+  await expect(legend).toContainText('true error at each vertex');
+  await bound(page).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(caption(page)).toContainText('provisional', patience);
+  await expect(page.locator('#reduced meshbound-legend')).toContainText('upper limit of the error');
+  await expect(legend).toContainText('true error at each vertex');
+});
+
+test('what is saved is the exact answer', async ({ page }) => {
+  await openLarge(page);
+  await bound(page).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(sentence(page)).toContainText('Provisional', patience);
+  const saving = saved(page, 'report');
+  await expect(page.getByText('Saved as soon as the exact answer is there')).toBeVisible();
+  await page.evaluate(() => window.release?.());
+  const report = JSON.parse(new TextDecoder().decode((await saving).bytes));
+  expect(report.triangles.after).toBe((await counts(page)).after);
+});
+
+test('a cancelled reduction leaves the last exact answer, and saves nothing', async ({ page }) => {
+  await openLarge(page);
+  const first = await counts(page);
+  await bound(page).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(sentence(page)).toContainText('Provisional', patience);
+  let downloads = 0;
+  page.on('download', () => downloads++);
+  await page.getByRole('button', { name: 'Save…' }).click();
+  await page.getByRole('button', { name: 'PLY', exact: true }).click();
+  await expect(page.getByText('Saved as soon as the exact answer is there')).toBeVisible();
+  await page.getByRole('button', { name: 'Cancel', exact: true }).click();
+  await expect(caption(page)).not.toContainText('provisional');
+  expect(await counts(page)).toEqual(first);
+  expect(downloads).toBe(0);
+});

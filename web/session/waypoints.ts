@@ -1,0 +1,59 @@
+import type { VariableReport, Waypoint } from '../../wasm/types.ts';
+import { type BoundSetting, type BoundSettings, wholeOf } from './bound-setting.ts';
+import { isMultiplied, type Keeping, sameKeeping } from './keeping.ts';
+import { type Method, sameMethod } from './method.ts';
+
+/** What a reduction is asked for. */
+interface Asked {
+  bounds: BoundSettings;
+  method: Method;
+  keeping: Keeping;
+}
+
+interface Kept extends Omit<Asked, 'bounds'> {
+  waypoints: Waypoint[];
+}
+
+/** What is left of a bound behind a waypoint that has spent more of it than this is worth little. */
+const mostSpent = 0.5;
+
+/** Who waits no longer than this for the answer from the original, in seconds, needs none before. */
+const soon = 0.1;
+
+/** Of so many reductions waypoints are kept: of the last one, and of the one before, whose bounds may have been finer. */
+const mostKept = 2;
+
+/** Whether a reduction may go on from a waypoint: what only the original can tell forbids it. */
+export function canGoOnward({ method, keeping }: Omit<Asked, 'bounds'>): boolean {
+  return !method.limitToFeatureSize && !method.dropSmallParts && !isMultiplied(keeping);
+}
+
+/** From where a reduction of the surface that is open may go on, without beginning at the original. */
+export class Waypoints {
+  #kept: Kept[] = [];
+
+  /** Takes those of a reduction: its result, and what it passed on its way, if it gave that out. */
+  keep(result: Waypoint, passed: Waypoint | undefined, { method, keeping }: Asked): void {
+    if (!passed || result.report.seconds < soon) return;
+    this.#kept = [{ waypoints: [result, passed], method, keeping }, ...this.#kept].slice(0, mostKept);
+  }
+
+  clear(): void {
+    this.#kept = [];
+  }
+
+  /** The coarsest from which these bounds can be kept; null where there is none. */
+  nearest({ bounds, method, keeping }: Asked): Waypoint | null {
+    const usable = this.#kept
+      .filter((kept) => sameMethod(kept.method, method) && sameKeeping(kept.keeping, keeping))
+      .flatMap(({ waypoints }) => waypoints)
+      .filter(({ report }) => report.variables.every((variable) => leavesEnough(variable, bounds[variable.name])));
+    usable.sort((a, b) => a.mesh.triangles.length - b.mesh.triangles.length);
+    return usable[0] ?? null;
+  }
+}
+
+/** What was free and is bounded now counts by its error, as everything does. */
+function leavesEnough(variable: VariableReport, { fraction, absolute, free }: BoundSetting): boolean {
+  return free || variable.error <= mostSpent * (absolute ?? fraction * wholeOf(variable));
+}
