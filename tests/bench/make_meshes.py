@@ -73,6 +73,23 @@ def sampled(volume, points):
     return result
 
 
+def without_point_edges(position, triangles):
+    """Merges the ends of edges that have no length; the vertices that remain, and the triangles of these.
+
+    Where the surface passes by a point of the grid, vertices about it become one when they are rounded. VTK with attribute
+    errors stops early on a surface with such an edge: compared would be the work with its beginning.
+    """
+    edges = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+    merged = numpy.arange(len(position))
+    for pair in edges[(position[edges[:, 0]] == position[edges[:, 1]]).all(axis=1)]:
+        first, second = sorted(merged[pair])
+        merged[merged == second] = first
+    triangles = merged[triangles]
+    triangles = triangles[(triangles != numpy.roll(triangles, 1, axis=1)).all(axis=1)]
+    remaining, triangles = numpy.unique(triangles, return_inverse=True)
+    return remaining, triangles.reshape(-1, 3)
+
+
 def write_ply(path, names, columns, triangles):
     header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(columns[0])}"]
     header += [f"property float {name}" for name in names]
@@ -95,7 +112,9 @@ def main(description, numbers, folder, *wanted):
         points, triangles = contour(fine)
         finer = [(fine.shape[2 - axis] - 1) / (shape[2 - axis] - 1) for axis in range(3)]
         points /= finer
-        position = points * about["spacing"] + about["origin"]
+        position = (points * about["spacing"] + about["origin"]).astype("f4")
+        remaining, triangles = without_point_edges(position, triangles)
+        points, position = points[remaining], position[remaining]
         carried = [key for key in names if key in ("density", "pressure", "vx", "vy", "vz", "energy", "temperature")]
         columns = [*position.T, *(sampled(volumes[key], points) for key in carried)]
         # Linear along the edges of the grid, as the surface is: between them the cubic would add noise to a constant.
