@@ -4,5 +4,4 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 .ci/setup.sh bench
-.ci/build.sh
 exec node_modules/.bin/tsx tests/bench/bench.ts "$@"

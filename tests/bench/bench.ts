@@ -1,41 +1,31 @@
 /**
  * Measures how fast Meshbound is beside meshoptimizer and VTK, on the same surfaces with the same variables, down to the same
- * number of triangles:
+ * number of triangles; --help says how.
  *
- *     npm run bench -- [--quick] [--sizes 7k,100k,1m,4m] [--variables 0,2,7] [--rounds NUMBER] [--out FILE]
- *
- * --quick takes the two small surfaces with seven variables, once. The contenders take turns, each in a process of its own; rounds
- * say how often. The table goes to standard output and, as it grows, to the file, in place of what it has below the line
- * that says so. What its columns mean stands in docs/speed.md.
+ * The contenders take turns, each in a process of its own. The table goes to standard output and, as it grows, to the file, in
+ * place of what it has below the line that says so. What its columns mean stands in docs/speed.md.
  */
 import { availableParallelism, cpus } from 'node:os';
-import { parseArgs } from 'node:util';
 import { writeBelow } from '../write-below.ts';
-import { type Measurement, type Size, sizes, variableSets } from './cases.ts';
-import { buildNative, meshoptimizer, native, pythonWithVtk, vtk, wasm } from './contenders.ts';
+import type { Measurement, Size } from './cases.ts';
+import { buildModule, buildNative, meshoptimizer, native, pythonWithVtk, vtk, wasm } from './contenders.ts';
 import { makeMeshes } from './meshes.ts';
+import { benchOptions, optionsOr } from './options.ts';
+import { prepared } from './prerequisites.ts';
 import { better, type Contender, type Row } from './row.ts';
 import { table } from './table.ts';
 
 const marker = '<!-- Below: tests/bench/bench.ts -->';
 
-const { values: options } = parseArgs({
-  options: {
-    quick: { type: 'boolean', default: false },
-    sizes: { type: 'string' },
-    variables: { type: 'string' },
-    rounds: { type: 'string' },
-    out: { type: 'string' },
-  },
-});
+const usage = `npm run bench -- [--quick] [--sizes 7k,100k,1m,4m] [--variables 0,2,7] [--rounds NUMBER] [--out FILE]
 
-function chosen<Thing>(wanted: string, things: Record<string, Thing>): Thing[] {
-  return wanted.split(',').map((name) => {
-    const thing = things[name];
-    if (thing === undefined) throw new Error(`There is no "${name}". There are: ${Object.keys(things).join(', ')}.`);
-    return thing;
-  });
-}
+  --quick      the two small surfaces with seven variables, once
+  --sizes      of surfaces, by their triangles; all where it is not given
+  --variables  how many the surfaces carry; all where it is not given
+  --rounds     how often everything runs, the best counts
+  --out        a file that gets the table, in place of the one it has`;
+
+const { sizes, variables: variableSets, rounds, out } = optionsOr(usage, benchOptions);
 
 /** All runs on one surface, in their order; those of the other tools leave as many triangles as the first. */
 function runs({ path }: Size, variables: string[]): [Contender, (left: number) => Promise<Measurement>][] {
@@ -53,7 +43,7 @@ function runs({ path }: Size, variables: string[]): [Contender, (left: number) =
 async function measure(size: Size, variables: string[]): Promise<Row> {
   const row: Row = { size: size.name, variables: variables.length, results: {} };
   const failed = new Set<Contender>();
-  for (let round = 0; round < Number(options.rounds ?? (options.quick ? 1 : size.rounds)); round++) {
+  for (let round = 0; round < (rounds ?? size.rounds); round++) {
     for (const [contender, run] of runs(size, variables)) {
       if (failed.has(contender)) continue;
       try {
@@ -79,22 +69,21 @@ function head(): string {
   return `Measured on ${date} on ${cpus().length} × ${cpus()[0]?.model}, Node ${process.versions.node}, by \`${command}\`.`;
 }
 
-const wantedSizes = chosen(
-  options.sizes ?? (options.quick ? '7k,100k' : sizes.map(({ name }) => name).join(',')),
-  Object.fromEntries(sizes.map((size) => [size.name, size])),
-);
-const wantedSets = chosen(options.variables ?? (options.quick ? '7' : '0,2,7'), variableSets);
-const python = pythonWithVtk();
-buildNative();
-makeMeshes(wantedSizes, python);
+const python = prepared(() => {
+  const found = pythonWithVtk();
+  buildModule();
+  buildNative();
+  makeMeshes(sizes, () => found);
+  return found;
+});
 
 const rows: Row[] = [];
-for (const size of wantedSizes) {
-  for (const variables of wantedSets) {
+for (const size of sizes) {
+  for (const variables of variableSets) {
     rows.push(await measure(size, variables));
     console.error(`${size.name} with ${variables.length} variables: done`);
     // As it grows: a long run can be looked at, or ended, on its way.
-    if (options.out) writeBelow(options.out, marker, `${head()}\n\n${table(rows)}`);
+    if (out) writeBelow(out, marker, `${head()}\n\n${table(rows)}`);
   }
 }
 console.log(`${head()}\n\n${table(rows)}`);

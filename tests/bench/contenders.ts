@@ -10,6 +10,11 @@ const nativeBuild = `${folder}/native`;
 /** Debian's packages serve its own Python; another one may come first on the path. */
 const interpreters = ['/usr/bin/python3', 'python3'];
 
+/** Builds the module and the samples, where something changed. */
+export function buildModule(): void {
+  execFileSync(fromRoot('.ci/build.sh'), { stdio: ['ignore', process.stderr, 'inherit'] });
+}
+
 /** Compiles the native side with the core as it is now; quick where nothing changed. */
 export function buildNative(): void {
   const cmake = (...given: string[]) => execFileSync('cmake', given, { stdio: ['ignore', process.stderr, 'inherit'] });
@@ -19,12 +24,16 @@ export function buildNative(): void {
   cmake('--build', nativeBuild);
 }
 
-/** The first Python that has VTK. */
-export function pythonWithVtk(): string {
+/** The first Python that has VTK, if any. */
+export function findPythonWithVtk(): string | undefined {
   const has = (python: string) => spawnSync(python, ['-c', 'import vtkmodules.vtkCommonCore, numpy']).status === 0;
-  const python = interpreters.find(has);
+  return interpreters.find(has);
+}
+
+export function pythonWithVtk(): string {
+  const python = findPythonWithVtk();
   if (!python)
-    throw new Error('No Python with VTK: apt-get install --no-install-recommends python3-vtk9 python3-numpy');
+    throw new Error('No Python with VTK: apt-get install --no-install-recommends python3-vtk9 python3-numpy.');
   return python;
 }
 

@@ -123,4 +123,5 @@ def main(description, numbers, folder, *wanted):
         print(f"{name}: {len(triangles)} triangles", flush=True)
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -16,8 +16,8 @@ export interface VolumeFiles {
   numbers: string;
 }
 
-/** Makes the surfaces that are missing; the samples among them are the build's to make. */
-export function makeMeshes(sizes: Size[], python: string): void {
+/** Makes the surfaces that are missing, by a Python with VTK; the samples among them are the build's to make. */
+export function makeMeshes(sizes: Size[], python: () => string): void {
   const missing = sizes.filter(({ path }) => !existsSync(path));
   if (missing.length === 0) return;
   const foreign = missing.find(({ name }) => !(name in refinements));
@@ -29,7 +29,7 @@ export function makeMeshes(sizes: Size[], python: string): void {
   if (!existsSync(volume.description)) makeVolume(finest.scene, finest.cells, volume);
   const wanted = missing.map(({ name }) => `fireballs-${name}=${refinements[name]}`);
   const script = fromRoot('tests/bench/make_meshes.py');
-  execFileSync(python, [script, volume.description, volume.numbers, folder, ...wanted], {
+  execFileSync(python(), [script, volume.description, volume.numbers, folder, ...wanted], {
     stdio: ['ignore', process.stderr, 'inherit'],
   });
 }

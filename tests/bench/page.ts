@@ -13,6 +13,7 @@ import { type Browser, chromium, type Page } from '@playwright/test';
 import { preview } from 'vite';
 import { writeBelow } from '../write-below.ts';
 import { fromRoot } from './cases.ts';
+import { checkPageIsBuilt, chromiumPath, prepared } from './prerequisites.ts';
 
 const marker = '<!-- Below: tests/bench/page.ts -->';
 const port = Number(process.env.PORT ?? 4319);
@@ -140,15 +141,16 @@ async function loadRow(browser: Browser, name: string, path: string): Promise<st
   return `| ${name} | ${kilobytes} | ${middle('requests')} | ${seconds('firstPaint')} | ${seconds('original')} | ${seconds('reduced')} |`;
 }
 
+const executablePath = prepared(() => {
+  checkPageIsBuilt();
+  return chromiumPath();
+});
 const server = await preview({
   configFile: fromRoot('web/vite.config.ts'),
   preview: { port, strictPort: true },
   logLevel: 'error',
 });
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: ['--no-sandbox'],
-});
+const browser = await chromium.launch({ executablePath, args: ['--no-sandbox'] });
 try {
   const rows = [
     await loadRow(browser, 'the page', ''),

@@ -1,33 +1,37 @@
 /**
  * Measures the whole way from a file to the picture of its reduction, and from a move of a slider to the picture, in the
- * page in Chromium; where the time goes, in percent of the whole:
- *
- *     npm run bench:path -- [--quick] [--sizes 7k,100k,1m] [--out FILE]
+ * page in Chromium; where the time goes, in percent of the whole; --help says how.
  *
  * The tables go to standard output, and to the file in place of what it has below the line that says so. What their columns
- * mean stands in docs/speed.md. PORT is the port to serve the page on; the machine should be quiet.
+ * mean stands in docs/speed.md. The machine should be quiet.
  */
 import { cpus } from 'node:os';
-import { parseArgs } from 'node:util';
 import { chromium, type Page } from '@playwright/test';
 import { preview } from 'vite';
 import { writeBelow } from '../write-below.ts';
-import { fromRoot, sizes } from './cases.ts';
+import { fromRoot } from './cases.ts';
 import { pythonWithVtk } from './contenders.ts';
 import { makeMeshes } from './meshes.ts';
+import { optionsOr, pathOptions } from './options.ts';
 import { probePage } from './path-probe.ts';
 import { dragTable, fileTable, type Way } from './path-table.ts';
+import { checkPageIsBuilt, chromiumPath, prepared } from './prerequisites.ts';
 
 const marker = '<!-- Below: tests/bench/path.ts -->';
 const port = Number(process.env.PORT ?? 4318);
-const launched = { executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] };
 /** How often the slider moves. */
 const moves = 5;
 const patience = 600_000;
 
-const { values: options } = parseArgs({
-  options: { quick: { type: 'boolean', default: false }, sizes: { type: 'string' }, out: { type: 'string' } },
-});
+const usage = `npm run bench:path -- [--quick] [--sizes 7k,100k,1m,4m] [--out FILE]
+
+  --quick  the two small surfaces
+  --sizes  of surfaces, by their triangles; all but the largest where it is not given
+  --out    a file that gets the tables, in place of those it has
+
+PORT is the port to serve the page on (${port}), CHROMIUM the browser. The page is as npm run build left it.`;
+
+const { sizes, out } = optionsOr(usage, pathOptions);
 
 async function openPage(): Promise<Page> {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
@@ -75,19 +79,21 @@ function head(): string {
   );
 }
 
-const wanted = (options.sizes ?? (options.quick ? '7k,100k' : '7k,100k,1m')).split(',');
-const chosen = sizes.filter(({ name }) => wanted.includes(name));
-if (chosen.some(({ name }) => !options.quick && name.endsWith('m'))) makeMeshes(chosen, pythonWithVtk());
+const executablePath = prepared(() => {
+  checkPageIsBuilt();
+  makeMeshes(sizes, pythonWithVtk);
+  return chromiumPath();
+});
 const server = await preview({
   configFile: fromRoot('web/vite.config.ts'),
   logLevel: 'warn',
   preview: { port, strictPort: true },
 });
-const browser = await chromium.launch(launched);
+const browser = await chromium.launch({ executablePath, args: ['--no-sandbox'] });
 
 const files: Way[] = [];
 const drags: Way[][] = [];
-for (const { path } of chosen) {
+for (const { path } of sizes) {
   const page = await openPage();
   files.push(await openFile(page, path));
   drags.push(await moveSlider(page));
@@ -95,6 +101,6 @@ for (const { path } of chosen) {
 }
 const text = `${head()}\n\n${fileTable(files)}\n\n${dragTable(drags)}`;
 console.log(text);
-if (options.out) writeBelow(options.out, marker, text);
+if (out) writeBelow(out, marker, text);
 await browser.close();
 await server.close();
