@@ -204,6 +204,7 @@ test('points that are locked stay, and what cannot be one is said', async () => 
   const report = JSON.parse(new TextDecoder().decode((await saved(page(), 'report')).bytes));
   expect(report.options.lockPoints).toEqual([`${alone},${first}-${first + 2}`]);
 
+  const means = await group('Locks and regions').locator('#points-mean').innerText();
   for (const [text, says] of [
     ['3,x', '“x” is no point and no range of points.'],
     ['0-1685', 'There is no point 1685 to lock: the surface has 1685, counted from 0.'],
@@ -211,9 +212,19 @@ test('points that are locked stay, and what cannot be one is said', async () => 
     await type('Points', text);
     await expect(group('Locks and regions').getByRole('alert')).toHaveText(says);
     await expect(field).toHaveAttribute('aria-invalid', 'true');
+    await expect(field).toHaveAccessibleDescription(`${says} ${means}`);
     await expect(field).toHaveValue(text);
     expect(await keptOf()).toEqual(kept);
+    await field.press('Escape');
+    await expect(group('Locks and regions').getByRole('alert')).toHaveCount(0);
+    await expect(field).toHaveAttribute('aria-invalid', 'false');
+    await expect(field).toHaveAccessibleDescription(means);
+    await expect(field).toHaveValue(`${alone},${first}-${first + 2}`);
   }
+  // Also what was typed and not yet entered.
+  await field.fill('7');
+  await field.press('Escape');
+  await expect(field).toHaveValue(`${alone},${first}-${first + 2}`);
   await type('Points', '');
   await expect(group('Locks and regions').getByRole('alert')).toHaveCount(0);
   await expect(summary).toContainText('none');

@@ -110,13 +110,14 @@ export class LockChoice extends LitElement {
           type="text"
           autocomplete="off"
           spellcheck="false"
-          aria-describedby="points-mean"
+          aria-describedby=${refused ? 'points-fault points-mean' : 'points-mean'}
           aria-invalid=${refused !== null}
           .value=${live(refused?.text ?? pointsText(ranges))}
           @change=${({ target }: Event) => this.#lockPoints((target as HTMLInputElement).value)}
+          @keydown=${(event: KeyboardEvent) => this.#restorePoints(event, ranges)}
         />
       </label>
-      ${refused ? html`<p class="small fault" role="alert">${refused.why}</p>` : nothing}
+      ${refused ? html`<p class="small fault" id="points-fault" role="alert">${refused.why}</p>` : nothing}
       <p class="small soft" id="points-mean">${pageEnglish.locks.pointsMean}</p>
       <button
         ?disabled=${!this.pinned}
@@ -198,6 +199,13 @@ export class LockChoice extends LitElement {
     } catch (error) {
       this.refused = { text, why: messageOf(error) };
     }
+  }
+
+  /** Escape goes back to the points that are locked. */
+  #restorePoints({ key, target }: KeyboardEvent, ranges: readonly PointRange[]): void {
+    if (key !== 'Escape') return;
+    this.refused = null;
+    (target as HTMLInputElement).value = pointsText(ranges);
   }
 
   #addPin(ranges: readonly PointRange[]): void {
