@@ -48,9 +48,9 @@ export function probePage(): void {
         this.addEventListener('message', ({ data }) => this.#answered(data));
       }
 
-      #answered(data: Record<string, never>): void {
+      #answered(data: { outcome?: { value?: Pick<Way['steps'][number], 'report'> } }): void {
         const asked = 'progress' in data ? undefined : this.#asked.shift();
-        if (asked) steps.push({ ...asked, end: performance.now(), core: coreTime(data) });
+        if (asked) steps.push({ ...asked, end: performance.now(), report: data.outcome?.value?.report });
       }
 
       override postMessage(message: unknown, options?: StructuredSerializeOptions | Transferable[]): void {
@@ -58,10 +58,6 @@ export function probePage(): void {
         super.postMessage(message, options as StructuredSerializeOptions);
       }
     };
-  }
-
-  function coreTime(data: { outcome?: { value?: { report?: { seconds: number } } } }): number {
-    return 1000 * (data.outcome?.value?.report?.seconds ?? 0);
   }
 
   function nameOf(message: { task?: { kind: string }; bytes?: unknown }): string {
@@ -74,7 +70,7 @@ export function probePage(): void {
     WebGL2RenderingContext.prototype.bufferData = function (this: WebGL2RenderingContext, ...given: unknown[]) {
       const begun = performance.now();
       bufferData.apply(this, given as never);
-      steps.push({ name: 'upload', start: begun, end: performance.now(), core: 0 });
+      steps.push({ name: 'upload', start: begun, end: performance.now() });
     };
     WebGL2RenderingContext.prototype.drawArrays = function (mode: number, first: number, count: number) {
       const begun = performance.now();
@@ -82,7 +78,7 @@ export function probePage(): void {
       // Reading a pixel waits until the graphics card is done.
       this.readPixels(0, 0, 1, 1, this.RGBA, this.UNSIGNED_BYTE, new Uint8Array(4));
       const end = performance.now();
-      steps.push({ name: 'draw', start: begun, end, core: 0 });
+      steps.push({ name: 'draw', start: begun, end });
       pictures.push({ triangles: count / 3, end });
     };
   }

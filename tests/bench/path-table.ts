@@ -1,12 +1,13 @@
 import { median } from 'd3-array';
+import type { Report } from '../../wasm/types.ts';
 
 /** One step on the way. Times in milliseconds since the page began. */
 interface Step {
   name: string;
   start: number;
   end: number;
-  /** Of a reduction: how long the core took. */
-  core: number;
+  /** Of a reduction. */
+  report?: Report;
 }
 
 /** From an event to the last picture that came of it. */
@@ -42,22 +43,24 @@ function partsOf({ start, steps, pictures }: Way, answer: Answer = 'reduce'): Pa
   const duration = (step: Step | undefined) => (step ? step.end - step.start : 0);
   const reduction = named(answer).at(-1);
   const prepared = named('prepare').find(({ end }) => reduction && end > reduction.end);
-  if (!reduction || !prepared) throw new Error('The page reduced nothing.');
-  const triangles = Math.max(...pictures.map((one) => one.triangles));
-  const picture = pictures.find(({ end, triangles: drawn }) => end > prepared.end && drawn < triangles);
-  const left = picture?.triangles;
+  if (!reduction?.report || !prepared) throw new Error('The page reduced nothing.');
+  const { triangles: count, seconds } = reduction.report;
+  const drawnAt = (triangles: number, after: number) =>
+    pictures.find((picture) => picture.triangles === triangles && picture.end > after)?.end ?? Number.NaN;
+  const picture = drawnAt(count.after, prepared.end);
+  const core = 1000 * seconds;
   const inspection = named('inspect').at(-1);
   return {
-    triangles: triangles ?? 0,
-    left: left ?? 0,
+    triangles: count.before,
+    left: count.after,
     reading: duration(named('read').at(-1)),
     checking: duration(inspection),
-    shown: (pictures.find(({ triangles: drawn }) => drawn === triangles)?.end ?? 0) - start,
-    core: reduction.core,
-    around: duration(reduction) - reduction.core,
+    shown: drawnAt(count.before, 0) - start,
+    core,
+    around: duration(reduction) - core,
     preparing: duration(prepared),
-    drawing: (picture?.end ?? 0) - prepared.end,
-    whole: (picture?.end ?? 0) - start,
+    drawing: picture - prepared.end,
+    whole: picture - start,
   };
 }
 

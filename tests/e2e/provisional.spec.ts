@@ -111,3 +111,30 @@ test('a cancelled reduction leaves the last exact answer, and saves nothing', as
   expect(await counts(page)).toEqual(first);
   expect(downloads).toBe(0);
 });
+
+test('only the side that changes is drawn, and the other one stays as it is', async ({ page }) => {
+  await page.addInitScript(() => {
+    const drawn: number[] = [];
+    Object.assign(window, { drawn });
+    const { drawArrays } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.drawArrays = function (mode: number, first: number, count: number) {
+      drawn.push(count / 3);
+      drawArrays.call(this, mode, first, count);
+    };
+  });
+  await openLarge(page);
+  const drawn = () => page.evaluate(() => (window as unknown as { drawn: number[] }).drawn.splice(0));
+  await expect.poll(drawn).toEqual([]); // all at rest
+  const picture = await page.locator('#original').screenshot();
+  await bound(page).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(caption(page)).toContainText('provisional', patience);
+  await page.evaluate(() => window.release?.());
+  await expect(page.locator('.numbers')).toContainText('removed', patience);
+  await expect(caption(page)).not.toContainText('provisional');
+  const { after, before } = await counts(page);
+  const all: number[] = [];
+  await expect.poll(async () => all.push(...(await drawn())) && all).toContain(after);
+  expect(all).not.toContain(before);
+  expect((await page.locator('#original').screenshot()).equals(picture)).toBe(true);
+});

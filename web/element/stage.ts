@@ -262,7 +262,7 @@ export class Stage extends LitElement {
     if (!this.#viewer) return;
     if (changed.has('surface')) this.#showOriginal();
     if (['surface', 'result', 'levels', 'position'].some((each) => changed.has(each))) this.#showReduced();
-    if (changed.has('keeping')) this.#outline();
+    if (changed.has('keeping')) this.#outline(original);
     if (changed.has('settings')) this.#applySettings(this.#viewer);
     if (changed.has('surface') || this.#placesDue) this.#applyPlaces(this.#viewer);
     if (changed.has('levels') || changed.has('pixels')) this.#chooseLevel();
@@ -373,7 +373,6 @@ export class Stage extends LitElement {
     const mesh = this.#drawn[original] === this.surface?.mesh ? (this.surface?.mesh ?? null) : null;
     const isShown = mesh !== null && this.#drawn[reduced] === this.#drawnResult?.mesh;
     const shown = { mesh, reduction: isShown ? this.#drawnResult : null };
-    this.#outline();
     if (shown.mesh === this.#toldShown.mesh && shown.reduction === this.#toldShown.reduction) return;
     this.#toldShown = shown;
     this.#tell('stage-shown', shown);
@@ -407,11 +406,11 @@ export class Stage extends LitElement {
       layer.markers = this.#pointing.markers(this.probe.probe);
   }
 
-  #outline(): void {
+  #outline(side: number): void {
     const drawn = this.#drawn[reduced];
     if (!this.#viewer || !this.surface) return;
-    this.#outlines.showKeeping(this.#viewer, this.surface, this.keeping, this.#frame);
-    this.#outlines.showReduced(this.#viewer, drawn && 'position' in drawn ? drawn : null, this.#frame);
+    if (side === original) this.#outlines.showKeeping(this.#viewer, this.surface, this.keeping, this.#frame);
+    else this.#outlines.showReduced(this.#viewer, drawn && 'position' in drawn ? drawn : null, this.#frame);
   }
 
   #tell(type: string, detail: unknown): void {
@@ -436,6 +435,7 @@ export class Stage extends LitElement {
       this.#changedResult(step.result);
       // The slider may have moved on meanwhile.
       this.#viewer?.setShare(reduced, this.#morph()?.share ?? step.share);
+      this.#outline(reduced);
       this.#tellShown();
       return this.#paintMorph();
     });
@@ -467,6 +467,7 @@ export class Stage extends LitElement {
       drawn();
       return this.#paint(side);
     });
+    this.#outline(side);
     this.#tellShown();
     const complete = sides.every((_, each) => this.#drawn[each] === this.#due(each));
     if (mesh && complete) this.dispatchEvent(new CustomEvent('stage-drawn'));

@@ -25,7 +25,8 @@ export interface ScreenPlace {
 }
 
 /**
- * Several surfaces, each in its pane, drawn on one canvas that lies under all panes. It draws only when something changed.
+ * Several surfaces, each in its pane, drawn on one canvas that lies under all panes. It draws only when something changed, and
+ * of the panes only those that did: a large surface does not hold up a small one beside it.
  * Panes are counted from 0; one without size is not drawn. The constructor throws where the browser offers no WebGL 2.
  *
  * @fires draw when the picture has changed: what lies over it may follow
@@ -47,12 +48,14 @@ export class Viewer extends EventTarget {
   #divider: number | null = null;
   #resizes = new ResizeObserver(() => this.#resize());
   #nextDraw = 0;
+  /** The panes to be drawn next. */
+  #changed = new Set<number>();
 
   constructor(canvas: HTMLCanvasElement, panes: HTMLElement[]) {
     super();
     this.#canvas = canvas;
     this.#panes = panes;
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.#prepareContext();
     this.#surfaces = panes.map(() => new Surface());
     this.#wanted = panes.map(() => null);
@@ -73,9 +76,7 @@ export class Viewer extends EventTarget {
     const arrays = surface && (await this.#preparer.prepare(surface, frame));
     if (this.#wanted[pane] !== surface) return;
     this.#surfaces[pane].draw(arrays, places());
-    this.#pickTrees[pane] = null;
-    this.#frame = frame;
-    this.#applyLook();
+    this.#placed(pane, frame);
   }
 
   /**
@@ -99,21 +100,19 @@ export class Viewer extends EventTarget {
       { arrays: finer.arrays, places: finerPlaces },
       { arrays: coarser.arrays, places: coarserPlaces },
     );
-    this.#pickTrees[pane] = null;
-    this.#frame = frame;
-    this.#applyLook();
+    this.#placed(pane, frame);
   }
 
   /** How far the morph of a pane is on its way to the coarser surface, 0…1. */
   setShare(pane: number, share: number): void {
     this.#surfaces[pane].share = share;
-    this.#requestDraw();
+    this.#requestDraw([pane]);
   }
 
   /** Other places on the surface that a pane shows; of a morph on both of its ends. */
   recolour(pane: number, places: Float32Array, coarserPlaces?: Float32Array): void {
     this.#surfaces[pane].recolour(places, coarserPlaces);
-    this.#requestDraw();
+    this.#requestDraw([pane]);
   }
 
   /** How many CSS pixels the frame's radius spans where the surface of a pane is nearest; infinite inside of it. */
@@ -128,13 +127,13 @@ export class Viewer extends EventTarget {
   /** How the places of a pane become colours. */
   setLookup(pane: number, lookup: Lookup): void {
     this.#surfaces[pane].lookup = lookup;
-    this.#requestDraw();
+    this.#requestDraw([pane]);
   }
 
   /** Lines over the surface of a pane; `segments` in the unit of the mesh, six numbers each: the places of their ends. */
   outline(pane: number, kind: OutlineKind, segments: Float64Array, frame: Frame): void {
     this.#surfaces[pane].outline(kind, segments, frame);
-    this.#requestDraw();
+    this.#requestDraw([pane]);
   }
 
   get look(): Look {
@@ -180,7 +179,6 @@ export class Viewer extends EventTarget {
 
   /** What is seen at this moment, as an image of the given type; the background stays transparent. */
   picture(type = 'image/png'): Promise<Blob | null> {
-    // Drawn anew: a canvas keeps its picture only until the next repaint.
     this.#draw();
     return new Promise((resolve) => this.#canvas.toBlob(resolve, type));
   }
@@ -196,6 +194,15 @@ export class Viewer extends EventTarget {
     this.cameras.dispose();
     for (const surface of this.#surfaces) surface.dispose();
     this.#renderer.dispose();
+  }
+
+  /** What a pane shows is another surface. */
+  #placed(pane: number, frame: Frame): void {
+    const moved = frame !== this.#frame;
+    this.#pickTrees[pane] = null;
+    this.#frame = frame;
+    if (moved) this.#applyLook();
+    else this.#requestDraw([pane]);
   }
 
   #applyLook(): void {
@@ -241,11 +248,12 @@ export class Viewer extends EventTarget {
     this.#renderer.setScissorTest(true);
   }
 
-  /** Draws before the next repaint, once, however often it is asked to. */
-  #requestDraw(): void {
+  /** Draws panes, all unless some are named, before the next repaint, once, however often it is asked to. */
+  #requestDraw(panes: Iterable<number> = this.#panes.keys()): void {
+    for (const pane of panes) this.#changed.add(pane);
     this.#nextDraw ||= requestAnimationFrame(() => {
       this.#nextDraw = 0;
-      this.#draw();
+      this.#drawPanes(this.#changed);
     });
   }
 
@@ -260,18 +268,25 @@ export class Viewer extends EventTarget {
   }
 
   #draw(): void {
-    const canvas = this.#canvas.getBoundingClientRect();
-    this.#renderer.setScissor(0, 0, canvas.width, canvas.height);
+    const { width, height } = this.#canvas.getBoundingClientRect();
+    this.#renderer.setScissor(0, 0, width, height);
     this.#renderer.clear();
-    this.#panes.forEach((pane, index) => {
-      const { left, bottom, width, height } = pane.getBoundingClientRect();
-      if (width === 0 || height === 0) return;
+    this.#drawPanes(new Set(this.#panes.keys()));
+  }
+
+  /** What is drawn of others stays. */
+  #drawPanes(panes: ReadonlySet<number>): void {
+    const canvas = this.#canvas.getBoundingClientRect();
+    for (const index of panes) {
+      const { left, bottom, width, height } = this.#panes[index].getBoundingClientRect();
+      if (width === 0 || height === 0) continue;
       const [x, y] = [left - canvas.left, canvas.bottom - bottom];
       const [begin, end] = this.#shownOf(index, width);
       this.#renderer.setViewport(x, y, width, height);
       this.#renderer.setScissor(x + begin, y, end - begin, height);
       this.#renderer.render(this.#surfaces[index].scene, this.cameras.camera(index));
-    });
+    }
+    this.#changed.clear();
     this.dispatchEvent(new Event('draw'));
   }
 
