@@ -70,12 +70,17 @@ export class TaskQueue {
     if (this.running) {
       const { task, cancel } = this.running;
       const arrays = transferables(task);
-      if (this.memory > Math.max(keptMemory, keptRatio * sizeOf(arrays))) {
+      if (this.holdsTooMuchFor(task, sizeOf(arrays))) {
         this.stopWorker();
       }
       this.worker ??= this.start();
       this.worker.post({ task, cancel }, arrays);
     }
+  }
+
+  /** Not for a reduction onward: the one from the original, which is to follow, needs that memory again. */
+  private holdsTooMuchFor({ kind }: Task, size: number): boolean {
+    return kind !== 'reduceOnward' && this.memory > Math.max(keptMemory, keptRatio * size);
   }
 
   private start(): WorkerThread {

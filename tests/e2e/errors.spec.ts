@@ -117,7 +117,7 @@ test('propagated errors: more triangles, errors as limits, and the original keep
   await look(page(), { show: 'error / bound' });
   await expect(details(page())).toHaveText([
     'values: errors at its vertices are known only when tracked',
-    'upper limit of the error in each triangle',
+    'limit of the error in each triangle',
   ]);
   await expect.poll(async () => shareFromMap(await pictureOf(page(), 'original'), 'viridis')).toBeGreaterThan(0.99);
   await expect.poll(async () => shareFromMap(await pictureOf(page(), 'reduced'), 'share')).toBeGreaterThan(0.9);

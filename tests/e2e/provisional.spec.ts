@@ -75,11 +75,15 @@ test('errors that the original shows stay while the answer is provisional', asyn
   await openLarge(page);
   await page.getByLabel('Show').selectOption('error');
   const legend = page.locator('#original meshbound-legend');
+  const reducedLegend = page.locator('#reduced meshbound-legend');
+  await expect(reducedLegend).toContainText('largest error in each triangle');
+  const size = await reducedLegend.boundingBox();
   await expect(legend).toContainText('true error at each vertex');
   await bound(page).focus();
   await page.keyboard.press('ArrowRight');
   await expect(caption(page)).toContainText('provisional', patience);
-  await expect(page.locator('#reduced meshbound-legend')).toContainText('upper limit of the error');
+  await expect(reducedLegend).toContainText('limit of the error');
+  expect(await reducedLegend.boundingBox()).toEqual(size);
   await expect(legend).toContainText('true error at each vertex');
 });
 

@@ -63,9 +63,7 @@ describe('error / bound', () => {
 
   test('with propagated errors is not known of the original, and a limit on the reduced surface', () => {
     expect(originalErrors(mesh, propagated({}), labels, settings)).toBeNull();
-    expect(reducedErrors(propagated({}), labels, settings).meaning.detail).toBe(
-      'upper limit of the error in each triangle',
-    );
+    expect(reducedErrors(propagated({}), labels, settings).meaning.detail).toBe('limit of the error in each triangle');
   });
 
   test('counts against the bound as it is multiplied at each place, and says so', () => {

@@ -103,7 +103,7 @@ export const english = {
     unknownErrors: 'values: errors at its vertices are known only when tracked',
     atVertices: 'true error at each vertex',
     inTriangles: 'largest error in each triangle',
-    limitInTriangles: 'upper limit of the error in each triangle',
+    limitInTriangles: 'limit of the error in each triangle',
     multiplied: '; of the bound as it is multiplied there',
     difference: `; original${space}−${space}reduced`,
     alongNormal: '; along the normal, + where the reduced surface is outside',
