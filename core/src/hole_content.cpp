@@ -168,6 +168,7 @@ void HoleContent::find_pieces(const OriginalEdges& edges, const Crossings& cross
     pieces_.clear();
     mark(hole);
     for (int rim = 0; rim < hole.sectors(); ++rim) add_rim_pieces(edges, crossings, hole, rim);
+    for (const InnerVertex& inner : vertices_) edges.fetch_spokes(inner.vertex);
     for (const InnerVertex& inner : vertices_) add_vertex_pieces(edges, crossings, inner);
     for (const std::uint32_t spoke : hole.spoke_edges) add_spoke_pieces(edges, crossings, spoke);
     unmark(hole);

@@ -31,6 +31,7 @@ public:
     std::size_t work() const override;
 
 private:
+    void fetch_ahead() const;
     void commit_settlements(const Retriangulation& retriangulation);
     void commit_piece(const Retriangulation& retriangulation, std::size_t p);
 
