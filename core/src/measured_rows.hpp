@@ -13,10 +13,10 @@ namespace meshbound {
 /// the same arithmetic, so the same bytes, on all of them.
 using Lane = double __attribute__((vector_size(16)));
 
-/// The bounded components of the rows alone, as the inner loops go through them: variables with several components first,
-/// each in lanes of its own, then all scalars side by side.
+/// The bounded components of the rows alone, as the inner loops go through them: variables with several components first, in
+/// whose last lane there may be a scalar, too, then the other scalars side by side.
 ///
-///     position (3), pressure, temperature, energy:   | x y | z 0 | p t | e 0 |   two lanes of position, two of scalars
+///     position (3), pressure, temperature, energy:   | x y | z p | t e |
 class MeasuredRows {
 public:
     /// The rows outlive it.
@@ -30,8 +30,7 @@ public:
     }
     int lanes() const { return lanes_; }
     const Multipliers& multipliers() const { return rows_->multipliers(); }
-    /// How many variables are bounded, position among them.
-    double variables() const { return static_cast<double>(vectors_.size() + scalar_variables_.size()); }
+    double variables() const;
     static Lane lane(const double* row, int i) {
         Lane loaded;
         std::memcpy(&loaded, row + 2 * i, sizeof loaded);
@@ -44,11 +43,17 @@ public:
         double worst = 0;
         for (const Vector& vector : vectors_) {
             Lane sum = {0, 0};
-            for (int i = vector.first; i < vector.end; ++i) {
+            for (int i = vector.first; i < vector.full_end; ++i) {
                 const Lane d = difference(i);
                 sum += d * d;
             }
-            worst = std::max(worst, sum[0] + sum[1]);
+            double square = sum[0] + sum[1];
+            if (vector.odd) {
+                const Lane d = difference(vector.full_end), last = d * d;
+                square += last[0];
+                worst = std::max(worst, last[1]);
+            }
+            worst = std::max(worst, square);
         }
         Lane largest = {0, 0};
         for (int i = scalars_; i < lanes_; ++i) {
@@ -70,11 +75,13 @@ public:
         };
         for (const Vector& vector : vectors_) {
             double sum = 0;
-            for (int i = vector.first; i < vector.end; ++i) {
+            for (int i = vector.first; i < vector.full_end; ++i) {
                 const Lane d = difference(i);
                 sum += d[0] * d[0] + d[1] * d[1];
             }
-            consider(sum, vector.variable);
+            const Lane last = vector.odd ? difference(vector.full_end) : Lane{0, 0};
+            consider(sum + last[0] * last[0], vector.variable);
+            if (vector.scalar != no_variable) consider(last[1] * last[1], vector.scalar);
         }
         for (std::size_t n = 0; n < scalar_variables_.size(); ++n) {
             const double d = difference(scalars_ + static_cast<int>(n / 2))[n % 2];
@@ -84,13 +91,17 @@ public:
     }
 
     /// Calls `take` with the sum over the components of each bounded variable. Sum::add(at(i)) adds lane i, Sum::total() has
-    /// both of its components together, Sum::half(0) and half(1) one.
+    /// both of its components together, Sum::half(0) and half(1) one; they can be added, once.
     template <class Sum, class At, class Take>
     void sum_by_variable(const At& at, const Take& take) const {
         for (const Vector& vector : vectors_) {
-            Sum sum;
-            for (int i = vector.first; i < vector.end; ++i) sum.add(at(i));
-            take(sum.total());
+            Sum sum, last;
+            for (int i = vector.first; i < vector.full_end; ++i) sum.add(at(i));
+            if (vector.odd) last.add(at(vector.full_end));
+            auto total = sum.total();
+            total.add(last.half(0), 1);
+            take(total);
+            if (vector.scalar != no_variable) take(last.half(1));
         }
         for (std::size_t n = 0; n < scalar_variables_.size(); n += 2) {
             Sum sum;
@@ -121,14 +132,19 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t no_variable = 0xffffffff;
     struct Vector {
-        int first = 0, end = 0; // lanes
+        int first = 0, full_end = 0; // the lanes that it fills
+        bool odd = false;            // its last component stands in the first half of the lane behind them …
         std::uint32_t variable = 0;
+        std::uint32_t scalar = no_variable; // … and this one, if there is one, or zero in the second
     };
+    Vector& beside(int lane);
+
     const Rows* rows_;
     int begin_ = 0; // of the first lane in the row
     int lanes_ = 0;
-    int scalars_ = 0; // first lane of the scalars
+    int scalars_ = 0; // first lane of the other scalars
     std::vector<Vector> vectors_;
     std::vector<std::uint32_t> scalar_variables_;
 };

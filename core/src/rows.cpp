@@ -41,17 +41,29 @@ void fill(const Variable& variable, const RowGroup& group, double unit, std::siz
 
 } // namespace
 
-/// Gives the groups that are meant the next places, each an even one but for a scalar behind a scalar.
-template <class Which>
-void Rows::place(const Which& which) {
-    const auto pad = [this] { width_ += width_ % 2; };
+/// Gives a group the next places; several components begin a pair.
+void Rows::place(RowGroup& group) {
+    if (group.count > 1) width_ += width_ % 2;
+    group.first = width_;
+    width_ += group.count;
+}
+
+void Rows::place_groups() {
+    std::vector<RowGroup*> scalars;
+    for (RowGroup& group : groups_)
+        if (group.bounded && group.count == 1) scalars.push_back(&group);
+    auto next_scalar = scalars.begin();
     for (RowGroup& group : groups_) {
-        if (!which(group)) continue;
-        if (group.count > 1) pad();
-        group.first = width_;
-        width_ += group.count;
+        if (group.count == 1 || !(group.bounded || group.variable == 0)) continue;
+        place(group);
+        if (group.bounded && width_ % 2 == 1 && next_scalar != scalars.end()) place(**next_scalar++);
+        width_ += width_ % 2;
     }
-    pad();
+    for (; next_scalar != scalars.end(); ++next_scalar) place(**next_scalar);
+    width_ += width_ % 2;
+    for (RowGroup& group : groups_)
+        if (!group.bounded && group.variable != 0) place(group);
+    width_ += width_ % 2;
 }
 
 Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* focus,
@@ -66,10 +78,7 @@ Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Var
         units_.push_back(unit_of(bounds[i]));
         margin = std::max(margin, rounding_margin(bounds[i]));
     }
-    place([](const RowGroup& group) { return group.variable == 0; });
-    place([](const RowGroup& group) { return group.variable != 0 && group.bounded && group.count > 1; });
-    place([](const RowGroup& group) { return group.bounded && group.count == 1; });
-    place([](const RowGroup& group) { return group.variable != 0 && !group.bounded; });
+    place_groups();
     limit_ = 1 - margin / multipliers_.least();
     const std::size_t vertices = inputs.empty() ? vertex_count(mesh) : inputs.size();
     values_.resize(vertices * static_cast<std::size_t>(width_));

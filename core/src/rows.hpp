@@ -22,10 +22,11 @@ struct RowGroup {
 /// divided by its variable's bound. Every check of the promise becomes "norm of each group ≤ 1", without units. Free
 /// variables are divided by their extent instead.
 ///
-/// For the inner loops (MeasuredRows) what is bounded stands together, in pairs: variables with several components, each
-/// filled up with zero to an even number, then all scalars. Behind it stands what is free.
+/// For the inner loops (MeasuredRows) what is bounded stands together, in pairs: variables with several components, each from
+/// the beginning of a pair on, then all scalars; but the first scalars stand in the halves of pairs that those leave. Behind
+/// them stands what is free. What is left over is zero.
 ///
-///     position (3), pressure, velocity (3), free: energy:   | x y | z 0 | vx vy | vz 0 | p 0 | e 0 |   (each centred)
+///     position (3), velocity (3), p, q, T, free: e:   | x y | z p | vx vy | vz q | T 0 | e 0 |   (each centred)
 class Rows {
 public:
     Rows() = default;
@@ -55,8 +56,8 @@ public:
     const Multipliers& multipliers() const { return multipliers_; }
 
 private:
-    template <class Which>
-    void place(const Which& which);
+    void place(RowGroup& group);
+    void place_groups();
 
     int width_ = 0;
     double limit_ = 1;
