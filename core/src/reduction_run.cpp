@@ -197,8 +197,9 @@ void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking*
     }
     const Renaming renamed = extract_mesh(mesh_, surface_, reduction);
     extract_errors(surface_, *rows_, *accounting_, reduction, team_, ticker_);
-    const auto* tracking = dynamic_cast<const Tracking*>(accounting_.get());
+    auto* tracking = dynamic_cast<Tracking*>(accounting_.get());
     if (!tracking || !tells_map_) return;
+    if (ends_) tracking->end();
     extract_map(surface_, *tracking, renamed.vertex, renamed.triangle, reduction.map, ticker_);
     if (linked) linked->extract(renamed.vertex, renamed.triangle, reduction.vertices, *link, ticker_);
     if (ends_) accounting_.reset();

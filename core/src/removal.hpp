@@ -25,10 +25,11 @@ enum class Refusal : std::uint8_t {
     bound,    ///< a bound would break
 };
 
+/// One is kept for every vertex.
 struct Verdict {
     Refusal refusal = Refusal::none;
-    std::uint32_t variable = 0; ///< with Refusal::bound: the one in which it would break …
-    double squared_ratio = 0;   ///< … and at least this squared ratio to the bound would have resulted
+    std::uint16_t variable = 0; ///< with Refusal::bound: the one in which it would break (of 65 535 variables) …
+    float squared_ratio = 0;    ///< … and at least this squared ratio to the bound, or nearly, would have resulted
 };
 
 /// What of the surface's shape is looked at besides the hole (§3.2.3).

@@ -15,13 +15,14 @@ namespace meshbound {
 class Residents {
 public:
     explicit Residents(const Surface& surface)
-        : in_triangle_(surface.slot_count(), no_index), on_edge_(surface.edge_count(), no_index),
+        : in_triangle_(surface.slot_count(), no_index),
+          on_edge_(surface.is_closed() ? 0 : surface.edge_count(), no_index), next_(surface.vertex_count(), no_index),
           places_(surface.vertex_count()) {}
 
     std::uint32_t in_triangle(std::uint32_t slot) const { return in_triangle_[slot]; }
-    std::uint32_t on_edge(std::uint32_t edge) const { return on_edge_[edge]; }
+    std::uint32_t on_edge(std::uint32_t edge) const { return on_edge_.empty() ? no_index : on_edge_[edge]; }
     /// The next resident of the same host, or no_index.
-    std::uint32_t next(std::uint32_t vertex) const { return places_[vertex].next; }
+    std::uint32_t next(std::uint32_t vertex) const { return next_[vertex]; }
 
     /// Barycentric coordinates of a resident in its triangle, by the corners' half-edges 3 slot, 3 slot + 1, 3 slot + 2.
     glm::dvec3 barycentric(std::uint32_t vertex) const {
@@ -30,28 +31,30 @@ public:
     }
     /// Share along its boundary edge, from the edge's lower vertex.
     double share(std::uint32_t vertex) const { return places_[vertex].x; }
-    /// The triangle (of an interior vertex) or edge (of a boundary vertex) where a removed vertex lies.
-    std::uint32_t host(std::uint32_t vertex) const { return places_[vertex].host; }
 
     void clear_triangle(std::uint32_t slot) { in_triangle_[slot] = no_index; }
-    void clear_edge(std::uint32_t edge) { on_edge_[edge] = no_index; }
+    void clear_edge(std::uint32_t edge) {
+        if (!on_edge_.empty()) on_edge_[edge] = no_index;
+    }
 
     void settle_in_triangle(std::uint32_t vertex, std::uint32_t slot, const glm::dvec3& barycentric) {
-        places_[vertex] = {barycentric.y, barycentric.z, slot, in_triangle_[slot]};
+        places_[vertex] = {barycentric.y, barycentric.z};
+        next_[vertex] = in_triangle_[slot];
         in_triangle_[slot] = vertex;
     }
     void settle_on_edge(std::uint32_t vertex, std::uint32_t edge, double share) {
-        places_[vertex] = {share, 0, edge, on_edge_[edge]};
+        places_[vertex] = {share, 0};
+        next_[vertex] = on_edge_[edge];
         on_edge_[edge] = vertex;
     }
 
 private:
     struct Place {
         double x = 0, y = 0;
-        std::uint32_t host = no_index, next = no_index;
     };
-    std::vector<std::uint32_t> in_triangle_, on_edge_;
-    std::vector<Place> places_; // by vertex
+    std::vector<std::uint32_t> in_triangle_, on_edge_; // the first resident; of closed surfaces none is on an edge
+    std::vector<std::uint32_t> next_;                  // by vertex
+    std::vector<Place> places_;                        // by vertex
 };
 
 } // namespace meshbound

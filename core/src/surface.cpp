@@ -157,6 +157,8 @@ std::uint32_t Surface::last_in_fan(std::uint32_t vertex) const {
     return last;
 }
 
+bool Surface::is_closed() const { return std::find(kind_.begin(), kind_.end(), VertexKind::boundary) == kind_.end(); }
+
 bool Surface::is_free(std::uint32_t vertex) const {
     if (kind_[vertex] == VertexKind::absent) return false;
     if (sites_.empty()) return true;

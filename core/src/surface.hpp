@@ -80,6 +80,8 @@ public:
     std::size_t edge_count() const { return edge_count_; }
     /// Edges that two triangles run along in the same direction, at the start.
     std::size_t discordant_edges() const { return discordant_edges_; }
+    /// Whether no edge is a boundary, and none is one of several sheets.
+    bool is_closed() const;
     /// Vertices of the input on edges of three or more triangles or of two that disagree, and in bow-ties.
     std::size_t non_manifold_vertices() const { return non_manifold_vertices_; }
 

@@ -24,6 +24,9 @@ public:
 
     const TrackedMap& map() const { return map_; }
 
+    /// Nothing is removed any more: keeps what tells of the map.
+    void end() { map_.edges.forget_spokes(); }
+
 private:
     const Rows* rows_;
     MeasuredRows measured_rows_;
