@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -30,7 +31,7 @@ void for_each_triangle(const Surface& surface, const Rows& rows, Visit visit) {
 
 } // namespace
 
-OriginalNormals::OriginalNormals(const Surface& surface, const Rows& rows) : least_(surface.vertex_count(), 0) {
+OriginalNormals::OriginalNormals(const Surface& surface, const Rows& rows) {
     std::vector<glm::dvec3> vectors(surface.vertex_count(), glm::dvec3(0));
     for_each_triangle(surface, rows, [&](const Corners& corners, const glm::dvec3& vector) {
         for (const std::uint32_t corner : corners) vectors[corner] += vector;
@@ -45,15 +46,27 @@ OriginalNormals::OriginalNormals(const Surface& surface, const Rows& rows) : lea
         const double product = glm::dot(mean, vector);
         if (!(product < 0)) return;
         const double cosine = product / (glm::length(mean) * glm::length(vector));
-        for (const std::uint32_t corner : corners) least_[corner] = std::min(least_[corner], lower_float(cosine));
+        for (const std::uint32_t corner : corners) turns_.push_back({corner, lower_float(cosine)});
     });
+    std::sort(turns_.begin(), turns_.end(),
+              [](const Turn& a, const Turn& b) { return std::tie(a.vertex, a.cosine) < std::tie(b.vertex, b.cosine); });
+    const auto same_vertex = [](const Turn& a, const Turn& b) { return a.vertex == b.vertex; };
+    turns_.erase(std::unique(turns_.begin(), turns_.end(), same_vertex), turns_.end());
+    turns_.shrink_to_fit();
+}
+
+/// 0 where none turns.
+float OriginalNormals::least_cosine(std::uint32_t vertex) const {
+    const auto turn = std::lower_bound(turns_.begin(), turns_.end(), vertex,
+                                       [](const Turn& a, std::uint32_t b) { return a.vertex < b; });
+    return turn != turns_.end() && turn->vertex == vertex ? turn->cosine : 0.0F;
 }
 
 bool OriginalNormals::turns(const Corners& corners, const glm::dvec3& normal, double length) const {
     const glm::dvec3 mean = sum(corners);
     const double product = glm::dot(mean, normal);
     if (!(product < 0)) return false; // as almost always; then no root is needed
-    const float least = std::min({least_[corners[0]], least_[corners[1]], least_[corners[2]]});
+    const float least = std::min({least_cosine(corners[0]), least_cosine(corners[1]), least_cosine(corners[2])});
     return product < least * glm::length(mean) * length;
 }
 

@@ -32,9 +32,16 @@ private:
         return glm::dvec3(normals_[corners[0]]) + glm::dvec3(normals_[corners[1]]) + glm::dvec3(normals_[corners[2]]);
     }
 
+    /// The least cosine by which an original triangle turns at a vertex.
+    struct Turn {
+        std::uint32_t vertex;
+        float cosine; // negative, rounded down
+    };
+    float least_cosine(std::uint32_t vertex) const;
+
     // In single precision, which is enough for a direction.
     std::vector<glm::vec3> normals_; // by vertex, of unit length; zero where the original faces nowhere
-    std::vector<float> least_;       // by vertex: the least cosine by which a triangle there turns, or 0
+    std::vector<Turn> turns_;        // by rising vertices, the few at which one turns
 };
 
 } // namespace meshbound
