@@ -17,8 +17,8 @@ interface Kept extends Omit<Asked, 'bounds'> {
 /** What is left of a bound behind a waypoint that has spent more of it than this is worth little. */
 const mostSpent = 0.5;
 
-/** Who waits no longer than this for the answer from the original, in seconds, needs none before. */
-const soon = 0.1;
+/** Who waits no longer than this for the answer from the original, in seconds, has it at once and needs none before. */
+const soon = 0.15;
 
 /** Of so many reductions waypoints are kept: of the last one, and of the one before, whose bounds may have been finer. */
 const mostKept = 2;
