@@ -12,6 +12,9 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
+/// A direction as the longest vector of whole numbers that fits.
+glm::i16vec3 whole_numbers(const glm::dvec3& unit) { return glm::i16vec3(glm::floor(32767.0 * unit + 0.5)); }
+
 /// Rounded down.
 float lower_float(double value) {
     const auto rounded = static_cast<float>(value);
@@ -39,7 +42,7 @@ OriginalNormals::OriginalNormals(const Surface& surface, const Rows& rows) {
     normals_.reserve(vectors.size());
     for (const glm::dvec3& vector : vectors) {
         const double length = glm::length(vector);
-        normals_.push_back(length > 0 ? vector / length : glm::dvec3(0));
+        normals_.push_back(length > 0 ? whole_numbers(vector / length) : glm::i16vec3(0));
     }
     for_each_triangle(surface, rows, [&](const Corners& corners, const glm::dvec3& vector) {
         const glm::dvec3 mean = sum(corners);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
 
 #include "rows.hpp"
@@ -39,9 +40,9 @@ private:
     };
     float least_cosine(std::uint32_t vertex) const;
 
-    // In single precision, which is enough for a direction.
-    std::vector<glm::vec3> normals_; // by vertex, of unit length; zero where the original faces nowhere
-    std::vector<Turn> turns_;        // by rising vertices, the few at which one turns
+    // In whole numbers, which are enough for a direction.
+    std::vector<glm::i16vec3> normals_; // by vertex, all of one length; zero where the original faces nowhere
+    std::vector<Turn> turns_;           // by rising vertices, the few at which one turns
 };
 
 } // namespace meshbound
