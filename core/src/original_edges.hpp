@@ -19,7 +19,7 @@ public:
     std::uint32_t upper(std::uint32_t edge) const { return ends_[2 * std::size_t(edge) + 1]; }
     std::size_t size() const { return ends_.size() / 2; }
 
-    /// Gives back the memory of what only `at` needs.
+    /// Gives back the memory of what `at` and fetching need.
     void forget_spokes() {
         std::vector<std::uint32_t>().swap(start_); // assigning {} would keep it
         std::vector<Spoke>().swap(spokes_);
@@ -27,7 +27,7 @@ public:
 
     /// Has the processor fetch, without waiting, where a vertex's edges stand; and, that being there, the edges.
     void fetch_start(std::uint32_t vertex) const { __builtin_prefetch(&start_[vertex]); }
-    void fetch_spokes(std::uint32_t vertex) const { __builtin_prefetch(&spokes_[start_[vertex]]); }
+    void fetch_spokes(std::uint32_t vertex) const { __builtin_prefetch(spokes_.data() + start_[vertex]); }
 
     /// An edge at one of its ends.
     struct Spoke {

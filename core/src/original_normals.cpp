@@ -1,11 +1,11 @@
 #include "original_normals.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <tuple>
 
 #include <glm/geometric.hpp>
+
+#include "upper_float.hpp"
 
 namespace meshbound {
 namespace {
@@ -14,12 +14,6 @@ using Corners = std::array<std::uint32_t, 3>;
 
 /// A direction as the longest vector of whole numbers that fits.
 glm::i16vec3 whole_numbers(const glm::dvec3& unit) { return glm::i16vec3(glm::floor(32767.0 * unit + 0.5)); }
-
-/// Rounded down.
-float lower_float(double value) {
-    const auto rounded = static_cast<float>(value);
-    return rounded > value ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
-}
 
 /// Calls `visit` with the corners of each triangle and its area vector.
 template <class Visit>
@@ -49,7 +43,7 @@ OriginalNormals::OriginalNormals(const Surface& surface, const Rows& rows) {
         const double product = glm::dot(mean, vector);
         if (!(product < 0)) return;
         const double cosine = product / (glm::length(mean) * glm::length(vector));
-        for (const std::uint32_t corner : corners) turns_.push_back({corner, lower_float(cosine)});
+        for (const std::uint32_t corner : corners) turns_.push_back({corner, -upper_float(-cosine)});
     });
     std::sort(turns_.begin(), turns_.end(),
               [](const Turn& a, const Turn& b) { return std::tie(a.vertex, a.cosine) < std::tie(b.vertex, b.cosine); });

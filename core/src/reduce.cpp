@@ -3,6 +3,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "check_options.hpp"
@@ -38,9 +39,13 @@ Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Re
         std::optional<double> feature;
         if (Status status = limit_to_feature_size(mesh, options, resolved, feature, ticker); !status.ok())
             return status;
-        reduction = ReductionRun(mesh, options, oddities, ticker).end_within(resolved[0], waypoint);
+        Waypoint passed;
+        reduction = ReductionRun(mesh, options, oddities, ticker).end_within(resolved[0], waypoint ? &passed : nullptr);
         reduction.report.feature_size = feature;
-        if (waypoint) waypoint->report.feature_size = feature;
+        if (!passed.vertices.empty()) {
+            passed.report.feature_size = feature;
+            *waypoint = std::move(passed);
+        }
         ticker.finish();
         return {};
     } catch (const std::bad_alloc&) {

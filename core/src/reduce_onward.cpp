@@ -85,13 +85,16 @@ void add_spent(double spent, const ResolvedBound& bound, TriangleErrors& errors)
     for (float& highest : errors.highest) highest = upper_float(spent + highest);
 }
 
-/// Of each region what there was of it in the original, and what is left: nothing where the waypoint has none of it.
+/// Of each region what there was of it in the original, and what is left: nothing where the waypoint has none of it. Both
+/// by rising labels.
 std::vector<RegionReport> join_regions(std::vector<RegionReport> regions, const std::vector<RegionReport>& onward) {
     for (RegionReport& region : regions) {
-        const auto found = std::find_if(onward.begin(), onward.end(),
-                                        [&](const RegionReport& other) { return other.label == region.label; });
-        region.triangles_after = found == onward.end() ? 0 : found->triangles_after;
-        region.area_after = found == onward.end() ? 0 : found->area_after;
+        const auto found =
+            std::lower_bound(onward.begin(), onward.end(), region.label,
+                             [](const RegionReport& other, std::int32_t label) { return other.label < label; });
+        const bool is_left = found != onward.end() && found->label == region.label;
+        region.triangles_after = is_left ? found->triangles_after : 0;
+        region.area_after = is_left ? found->area_after : 0;
     }
     return regions;
 }

@@ -12,16 +12,57 @@ namespace {
 /// In a reduced triangle there may be much of the original.
 constexpr std::size_t triangles_at_once = 16;
 
-/// The error of a variable on the next triangle.
-void add_error(const RowGroup& group, double unit, const ErrorRange& range, TriangleErrors& errors,
-               VariableReport& report) {
-    report.error = std::max(report.error, range.largest * unit);
-    if (group.bounded) report.ratio = std::max(report.ratio, range.ratio);
-    errors.largest.push_back(upper_float(range.largest * unit));
-    errors.ratio.push_back(group.bounded ? upper_float(range.ratio) : 0);
-    if (group.count > 1 && group.variable != 0) return;
-    errors.lowest.push_back(-upper_float(-range.lowest * unit));
-    errors.highest.push_back(upper_float(range.highest * unit));
+/// Measures the errors on one triangle after the other, and what is largest of them.
+class TriangleMeasurement {
+public:
+    TriangleMeasurement(const Rows& rows, const Accounting& accounting)
+        : rows_(rows), accounting_(accounting), largest_(rows.groups().size()) {}
+
+    /// Writes the errors on the triangle in `slot` down as those of the reduced triangle `i`.
+    void measure(std::uint32_t slot, std::size_t i, std::vector<TriangleErrors>& errors) {
+        accounting_.errors(slot, ranges_);
+        for (const RowGroup& group : rows_.groups()) {
+            const ErrorRange& range = ranges_[group.variable];
+            const double unit = rows_.unit(group);
+            TriangleErrors& out = errors[group.variable];
+            out.largest[i] = upper_float(range.largest * unit);
+            out.ratio[i] = group.bounded ? upper_float(range.ratio) : 0;
+            largest_[group.variable].error = std::max(largest_[group.variable].error, range.largest * unit);
+            if (group.bounded) largest_[group.variable].ratio = std::max(largest_[group.variable].ratio, range.ratio);
+            if (out.lowest.empty()) continue;
+            out.lowest[i] = -upper_float(-range.lowest * unit);
+            out.highest[i] = upper_float(range.highest * unit);
+        }
+    }
+
+    void add_to(Report& report) const {
+        for (std::size_t i = 0; i < largest_.size(); ++i) {
+            report.variables[i].error = std::max(report.variables[i].error, largest_[i].error);
+            report.variables[i].ratio = std::max(report.variables[i].ratio, largest_[i].ratio);
+        }
+    }
+
+private:
+    struct Largest {
+        double error = 0, ratio = 0;
+    };
+    const Rows& rows_;
+    const Accounting& accounting_;
+    std::vector<Largest> largest_;   // by variable
+    std::vector<ErrorRange> ranges_; // of the last triangle
+};
+
+std::vector<TriangleErrors> room_for(std::size_t triangles, const Rows& rows) {
+    std::vector<TriangleErrors> errors(rows.groups().size());
+    for (const RowGroup& group : rows.groups()) {
+        TriangleErrors& of_variable = errors[group.variable];
+        const std::size_t with_sign = group.count == 1 || group.variable == 0 ? triangles : 0;
+        of_variable.largest.resize(triangles);
+        of_variable.ratio.resize(triangles);
+        of_variable.lowest.resize(with_sign);
+        of_variable.highest.resize(with_sign);
+    }
+    return errors;
 }
 
 } // namespace
@@ -65,15 +106,15 @@ void extract_errors(const Surface& surface, const Rows& rows, const Accounting& 
     std::vector<std::uint32_t> slots;
     for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot)
         if (surface.alive(slot)) slots.push_back(slot);
-    std::vector<std::vector<ErrorRange>> ranges(slots.size());
-    const auto measure = [&](std::size_t, std::size_t i) { accounting.errors(slots[i], ranges[i]); };
-    if (!share_out(team, ticker, slots.size(), triangles_at_once, measure)) return;
-    for (const RowGroup& group : rows.groups()) {
-        TriangleErrors& errors = reduction.triangle_errors.emplace_back();
-        VariableReport& report = reduction.report.variables[group.variable];
-        for (const std::vector<ErrorRange>& range : ranges)
-            add_error(group, rows.unit(group), range[group.variable], errors, report);
-    }
+    reduction.triangle_errors = room_for(slots.size(), rows);
+    team.gather();
+    std::vector<TriangleMeasurement> measurements(team.size(), TriangleMeasurement(rows, accounting));
+    const auto measure = [&](std::size_t member, std::size_t i) {
+        measurements[member].measure(slots[i], i, reduction.triangle_errors);
+    };
+    if (share_out(team, ticker, slots.size(), triangles_at_once, measure))
+        for (const TriangleMeasurement& measurement : measurements) measurement.add_to(reduction.report);
+    else reduction.triangle_errors.clear();
 }
 
 void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate,

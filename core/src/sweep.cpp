@@ -11,7 +11,7 @@ namespace {
 /// How a round is cut: into as many patches as keep many threads busy, and as few as leave little on the cuts.
 struct Cutting {
     std::size_t least;    // a smaller round is taken whole
-    std::size_t in_patch; // vertices in a patch, at least
+    std::size_t in_patch; // vertices in a patch, at least, where there are more than two
     int deepest;          // 2^deepest patches at most
 };
 

@@ -4,7 +4,6 @@
 
 #include "indexing.hpp"
 #include "joint_space.hpp"
-#include "layout.hpp"
 #include "overlap.hpp"
 #include "plane.hpp"
 
@@ -50,17 +49,16 @@ void TrackedCost::find_sides() {
 const double* TrackedCost::row(int ring) const { return rows_[hole_->ring[at(ring)]]; }
 
 double TrackedCost::diagonal(int i, int j) {
-    const HoleProducts& products = *products_;
     const double* candidate = rows_[hole_->candidate];
-    const double ii = products.ring(i, i), ij = products.ring(i, j), jj = products.ring(j, j);
+    const double ii = products_.ring(i, i), ij = products_.ring(i, j), jj = products_.ring(j, j);
     const RingRun run = crossed_spokes(*hole_, i, j);
     double sum = 0;
     for (int n = 0; n < run.count; ++n) {
         const int tip = (run.first + n) % hole_->size();
         // The spoke begins at the candidate, which is the origin: u is the tip, v = i - j, w the ring position i.
-        const double uw = products.ring(tip, i), uv = uw - products.ring(tip, j);
+        const double uw = products_.ring(tip, i), uv = uw - products_.ring(tip, j);
         const glm::dvec2 near =
-            nearest_parameters({{products.ring(tip, tip), uv, jj - 2 * ij + ii, uw, ii - ij, ii}}, 0, 1);
+            nearest_parameters({{products_.ring(tip, tip), uv, jj - 2 * ij + ii, uw, ii - ij, ii}}, 0, 1);
         sum +=
             rows_.squared_ratio(MeasuredRows::segment_difference(candidate, row(tip), near.x, row(i), row(j), near.y));
     }

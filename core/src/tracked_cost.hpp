@@ -5,7 +5,6 @@
 
 #include "hole_content.hpp"
 #include "hole_products.hpp"
-#include "joint_space.hpp"
 #include "retriangulation.hpp"
 
 namespace meshbound {
@@ -15,7 +14,7 @@ namespace meshbound {
 /// their nearest places. Leaves 4 % fewer triangles than the introduced errors of §3.4.1.
 class TrackedCost final : public HoleCost {
 public:
-    TrackedCost(const MeasuredRows& rows, HoleProducts& products) : rows_(rows), products_(&products) {}
+    TrackedCost(const MeasuredRows& rows, const HoleProducts& products) : rows_(rows), products_(products) {}
 
     void enter(const Hole& hole, const std::vector<InnerVertex>& inner);
     double diagonal(int i, int j) override;
@@ -27,7 +26,7 @@ private:
     const double* row(int ring) const;
 
     const MeasuredRows& rows_;
-    HoleProducts* products_;
+    const HoleProducts& products_;
     const Hole* hole_ = nullptr;
     const std::vector<InnerVertex>* inner_ = nullptr;
     std::vector<std::uint32_t> sample_; // of the inner vertices

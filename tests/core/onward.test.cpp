@@ -364,6 +364,21 @@ TEST_P(Onward, IsTheSameForAnyNumberOfThreads) {
     EXPECT_TRUE(promise::same_bits(one.mesh, onward(waypoint, promise::percent(3, 9)).mesh));
 }
 
+TEST_P(Onward, LeavesAWaypointUntouchedThatWasNotReached) {
+    Mesh mesh = meshes::torus(70, 36);
+    meshes::add_usual_fields(mesh);
+    Waypoint waypoint = passed(mesh, promise::percent(0.2, 0.5));
+    waypoint.report.feature_size = 0.125;
+    const Mesh before = waypoint.mesh;
+    Reduction part;
+    ASSERT_TRUE(meshbound::reduce(
+                    mesh, promise::percent(3, 9), options, part, [](double) { return false; }, &waypoint)
+                    .ok());
+    EXPECT_EQ(part.report.stopped, Stopped::cancelled);
+    EXPECT_EQ(waypoint.report.feature_size, 0.125);
+    EXPECT_TRUE(promise::same_bits(waypoint.mesh, before));
+}
+
 TEST_P(Onward, ReportsProgressAndCanBeCancelled) {
     Mesh mesh = meshes::torus(70, 36);
     meshes::add_usual_fields(mesh);

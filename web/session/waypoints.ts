@@ -35,7 +35,9 @@ export class Waypoints {
   /** Takes those of a reduction: its result, and what it passed on its way, if it gave that out. */
   keep(result: Waypoint, passed: Waypoint | undefined, { method, keeping }: Asked): void {
     if (!passed || result.report.seconds < soon) return;
-    this.#kept = [{ waypoints: [result, passed], method, keeping }, ...this.#kept].slice(0, mostKept);
+    const { mesh, vertices, report } = result; // the map is as large as the original
+    const waypoints = [{ mesh, vertices, report }, passed];
+    this.#kept = [{ waypoints, method, keeping }, ...this.#kept].slice(0, mostKept);
   }
 
   clear(): void {

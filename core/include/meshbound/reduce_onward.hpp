@@ -20,8 +20,9 @@ namespace meshbound {
 /// and there are no vertex errors. Relative bounds are fractions of the original's extents. The result is seldom quite as
 /// small as that from scratch and depends on the waypoint: something to show until the other one is there.
 ///
-/// It takes one sweep, whatever Options::sweeps says: the early ones led to the waypoint. What is locked (Options::locked, indices into the original; boxes; regions) stays as the waypoint has it, which is as the
-/// original has it if that was locked on the way there. With Options::refuse_piercing no triangles meet but those that met in
+/// It takes one sweep, whatever Options::sweeps says: the early ones led to the waypoint. What is locked (Options::locked,
+/// indices into the original; boxes; regions) stays as the waypoint has it, which is as the original has it if that was locked
+/// on the way there. With Options::refuse_piercing no triangles meet but those that met in
 /// the waypoint. Refused are what can only be judged by the original: focus, limit_to_feature_size and drop_small_parts.
 ///
 /// Faults: those of reduce; bad_waypoint, with the variable at fault: parts of the waypoint contradict each other, it has

@@ -56,6 +56,7 @@ struct Report {
     Oddities oddities;
     DroppedParts dropped;
     /// Which of Options::locked_boxes meet no triangle, so that nothing stays because of them; rising indices.
+    /// Of a reduction onward: no triangle of the waypoint.
     std::vector<std::size_t> unmet_boxes;
     std::vector<RegionReport> regions; ///< by rising labels; empty where triangles have none
     /// The feature size, where it limited the bound of position (Options::limit_to_feature_size).
