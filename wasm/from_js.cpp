@@ -255,14 +255,7 @@ Options options_from(const val& options) {
     return result;
 }
 
-std::vector<Bounds> level_bounds_from(const val& levels) {
-    std::vector<Bounds> result;
-    const auto count = levels["length"].as<std::size_t>();
-    for (std::size_t i = 0; i < count; ++i) {
-        result.push_back(bounds_from(levels[i]));
-    }
-    return result;
-}
+std::vector<Bounds> level_bounds_from(const val& levels) { return list_from<Bounds>(levels, bounds_from); }
 
 LevelOptions level_options_from(const val& options) {
     LevelOptions result;

@@ -76,16 +76,25 @@ Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, 
     drop_small_parts(bounds[0].absolute);
     if (options_.refuse_piercing && !piercing_) piercing_ = std::make_unique<Piercing>(mesh_, surface_);
     Reduction reduction;
-    reduction.report = begin_report(mesh_, bounds, oddities_);
-    reduction.report.non_manifold_vertices = surface_.non_manifold_vertices();
-    reduction.report.dropped = dropped_;
-    reduction.report.unmet_boxes = unmet_boxes_;
+    reduction.report = begin_report_within(bounds);
     if (ticker_.ask()) sweep_and_report(bounds, reduction, span, link);
     if (ticker_.cancelled()) report_cancelled(reduction);
+    report_what_is_left(reduction);
+    return reduction;
+}
+
+Report ReductionRun::begin_report_within(const std::vector<ResolvedBound>& bounds) const {
+    Report report = begin_report(mesh_, bounds, oddities_);
+    report.non_manifold_vertices = surface_.non_manifold_vertices();
+    report.dropped = dropped_;
+    report.unmet_boxes = unmet_boxes_;
+    return report;
+}
+
+void ReductionRun::report_what_is_left(Reduction& reduction) const {
     reduction.report.triangles_after = reduction.mesh.triangles.size();
     reduction.report.vertices_after = reduction.vertices.size();
     if (!mesh_.regions.empty()) reduction.report.regions = report_regions(mesh_, reduction.mesh);
-    return reduction;
 }
 
 Reduction ReductionRun::end_within(const std::vector<ResolvedBound>& bounds, Waypoint* waypoint) {
@@ -167,16 +176,11 @@ bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, Accounting& a
 /// The surface as it is. Its errors are measured, not taken from the limit of the sweep: some variables have spent less.
 Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds) {
     Reduction here;
-    here.report = begin_report(mesh_, bounds, oddities_);
-    here.report.non_manifold_vertices = surface_.non_manifold_vertices();
-    here.report.dropped = dropped_;
-    here.report.unmet_boxes = unmet_boxes_;
+    here.report = begin_report_within(bounds);
     here.report.stopped = Stopped::on_the_way;
     extract_mesh(mesh_, surface_, here);
     extract_errors(surface_, *rows_, *accounting_, here, team_, ticker_);
-    here.report.triangles_after = here.mesh.triangles.size();
-    here.report.vertices_after = here.vertices.size();
-    if (!mesh_.regions.empty()) here.report.regions = report_regions(mesh_, here.mesh);
+    report_what_is_left(here);
     return {std::move(here.mesh), std::move(here.vertices), std::move(here.report)};
 }
 

@@ -56,6 +56,8 @@ private:
     Waypoint waypoint_here(const std::vector<ResolvedBound>& bounds);
     void sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction, const ProgressSpan& span,
                           LevelLink* link);
+    Report begin_report_within(const std::vector<ResolvedBound>& bounds) const;
+    void report_what_is_left(Reduction& reduction) const;
     void report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link);
     void count_folds(Reduction& reduction);
     void report_cancelled(Reduction& reduction) const;

@@ -2,6 +2,7 @@ import { describe, expect, test, vi } from 'vitest';
 import type { Levels, LevelsOptions, Mesh, Reduction } from '../../wasm/types.ts';
 import { coarser, LevelSession } from '../../web/session/level-session.ts';
 import { type Reduced, Session } from '../../web/session/session.ts';
+import { noOddities } from './no-oddities.ts';
 
 const mesh: Mesh = {
   position: new Float32Array(9),
@@ -29,13 +30,7 @@ async function setUp() {
       triangles: 1,
       vertices: 3,
       variables,
-      oddities: {
-        repeatedVertexTriangles: 0,
-        zeroAreaTriangles: 0,
-        unusedVertices: 0,
-        turnedTriangles: 0,
-        unorientableParts: 0,
-      },
+      oddities: noOddities,
     }),
     reduce: async () => ({ mesh }) as Reduction,
     reduceOnward: async () => ({ mesh }) as Reduction,

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import type { Report, VariableReport } from '../../wasm/types.ts';
 import { heldBackShares, promiseSentence, roughShareText } from '../../web/element/promise-words.ts';
+import { noOddities } from './no-oddities.ts';
 
 function variable(name: string, fraction: number, ratio: number, refused = 0): VariableReport {
   const bound = 200 * fraction;
@@ -28,13 +29,7 @@ function report(variables: VariableReport[], refused: Partial<Report['refused']>
     variables,
     refused: { fixed: 0, topology: 0, fold: 0, piercing: 0, ...refused },
     turnedAway: { before: 0, after: 0 },
-    oddities: {
-      repeatedVertexTriangles: 0,
-      zeroAreaTriangles: 0,
-      unusedVertices: 0,
-      turnedTriangles: 0,
-      unorientableParts: 0,
-    },
+    oddities: noOddities,
     dropped: { parts: 0, triangles: 0 },
     unmetBoxes: [],
     regions: [],

@@ -5,6 +5,7 @@ import { nothingKept } from '../../web/session/keeping.ts';
 import { firstMethod } from '../../web/session/method.ts';
 import { answerOf, Session } from '../../web/session/session.ts';
 import { Waypoints } from '../../web/session/waypoints.ts';
+import { noOddities } from './no-oddities.ts';
 
 const mesh = {
   position: new Float32Array(9),
@@ -115,13 +116,7 @@ async function opened() {
       variables: ['position', 'pressure'].map((name) => {
         return { name, components: 1, extent: 100, magnitude: 100, constant: false };
       }),
-      oddities: {
-        repeatedVertexTriangles: 0,
-        zeroAreaTriangles: 0,
-        unusedVertices: 0,
-        turnedTriangles: 0,
-        unorientableParts: 0,
-      },
+      oddities: noOddities,
     }),
     reduce: (_, options) => {
       const { promise, run } = running(options, { report: reportOf(0.9, 2.9), waypoint: passed });

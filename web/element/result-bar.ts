@@ -72,8 +72,8 @@ export class ResultBar extends LitElement {
         position: static;
         padding: 0;
       }
-      /* It is of earlier bounds while another reduction runs; most are over before anyone could see that. */
-      .sentence.provisional {
+      /* Of earlier bounds, or provisional, while a reduction runs; most are over before anyone could see that. */
+      .sentence.passing {
         color: var(--ink-soft);
         transition: color 0s 0.15s;
       }
@@ -129,7 +129,7 @@ export class ResultBar extends LitElement {
   override render() {
     return html`
       <div class="said ${this.whole ? 'whole' : ''}">
-        <p part="sentence" class="sentence ${this.progress === null ? '' : 'provisional'}" role="status">
+        <p part="sentence" class="sentence ${this.progress === null ? '' : 'passing'}" role="status">
           ${this.report ? this.#sentence(this.report) : ''}
         </p>
         ${this.cut || this.whole ? this.#moreButton() : nothing}
