@@ -116,6 +116,29 @@ test('a cancelled reduction leaves the last exact answer, and saves nothing', as
   expect(downloads).toBe(0);
 });
 
+test('who waits for what is saved is told where the viewer is removed, but not where it is moved', async ({ page }) => {
+  await openLarge(page);
+  await bound(page).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(sentence(page)).toContainText('Provisional', patience);
+  const ends = await page.evaluate(async () => {
+    const viewer = document.querySelector('meshbound-app')?.shadowRoot?.querySelector('meshbound-viewer');
+    if (!viewer) return [];
+    let saving = '';
+    const wait = viewer.save('ply').then(
+      () => (saving = 'saved'),
+      (error) => (saving = `${error.name}: ${error.message}`),
+    );
+    viewer.parentNode?.append(viewer);
+    await viewer.updateComplete;
+    const moved = saving;
+    viewer.remove();
+    await wait;
+    return [moved, saving];
+  });
+  expect(ends).toEqual(['', 'AbortError: The reduction was aborted.']);
+});
+
 test('only the side that changes is drawn, and the other one stays as it is', async ({ page }) => {
   await page.addInitScript(() => {
     const drawn: number[] = [];

@@ -10,7 +10,7 @@ import { LevelSession, mostLevels } from '../session/level-session.ts';
 import type { Method } from '../session/method.ts';
 import { Probing } from '../session/probing.ts';
 import { readInWorker } from '../session/read.ts';
-import { answerOf, type OpenSurface, type Reduced, Session, type SessionState } from '../session/session.ts';
+import { answerOf, type Reduced, Session, type SessionState } from '../session/session.ts';
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
 import { download, type SavedKind, savedFile } from './download.ts';
@@ -20,6 +20,7 @@ import { LevelMotion } from './level-motion.ts';
 import { LevelView } from './level-view.ts';
 import './notices.ts';
 import { percentText } from './number-text.ts';
+import { outcomeOf } from './outcome.ts';
 import { overall, type Phase, type Step, stepOf } from './progress.ts';
 import { isMeasured } from './promise-words.ts';
 import './result-bar.ts';
@@ -446,14 +447,14 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
   }
 
   /**
-   * Reduces anew. Resolves to the report; rejects with an AbortError where the reduction is aborted, and with an Error
-   * where it fails or there is nothing to reduce.
+   * Reduces anew. Resolves to the report; rejects with an AbortError where the reduction is aborted, another surface is
+   * opened or the viewer is removed from the page meanwhile, and with an Error where it fails or there is nothing to reduce.
    */
-  reduce(): Promise<Report> {
-    const { state } = this.session;
-    if (!state.surface) return Promise.reject(new Error(english.faults.noSurface));
+  async reduce(): Promise<Report> {
+    if (!this.session.state.surface) throw new Error(english.faults.noSurface);
     this.session.reduceAgain();
-    return this.#outcome();
+    const { result } = await outcomeOf(this.session);
+    return result.report;
   }
 
   /** Stops what is loaded or reduced. What was shown before stays. */
@@ -510,11 +511,12 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
    * Offers a download: the reduced surface as `ply`, `vtp`, `vtk`, `glb`, `obj` or `stl`, the `report` as JSON, or the `map`
    * as VTP (the original with where each vertex went and what error it has there), or all `levels` of detail as one GLB, where there
    * are some. What a format cannot hold is said. What is provisional is not saved, but what takes its place, as soon as that
-   * is there.
+   * is there; where it never is, this rejects as `reduce()` does.
    */
   async save(kind: SavedKind): Promise<void> {
     const { surface } = this.session.state;
-    if (!surface || !(await this.#settled(surface))) return;
+    if (!surface) return;
+    await this.#settled();
     const reduced = this.shown;
     if (!reduced) return;
     try {
@@ -526,20 +528,11 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
     }
   }
 
-  /** Whether what is shown of a surface is not provisional, or came to that. */
-  #settled(surface: OpenSurface): Promise<boolean> | true {
-    const { provisional, reduced } = this.session.state;
-    if (!provisional) return true;
+  /** Rejects where what is shown is provisional and nothing else takes its place. */
+  async #settled(): Promise<void> {
+    if (!this.session.state.provisional) return;
     this.session.tell(english.progress.savedLater);
-    return new Promise((resolve) => {
-      const listen = () => {
-        const { state } = this.session;
-        if (state.provisional) return;
-        this.session.removeEventListener('change', listen);
-        resolve(state.surface === surface && state.reduced !== reduced);
-      };
-      this.session.addEventListener('change', listen);
-    });
+    await outcomeOf(this.session);
   }
 
   override disconnectedCallback(): void {
@@ -707,23 +700,6 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
       { rootMargin: lazyMargin },
     );
     this.#sight.observe(this);
-  }
-
-  /** How the running reduction ends. */
-  #outcome(): Promise<Report> {
-    const before = this.reduction;
-    return new Promise((resolve, reject) => {
-      const listen = () => {
-        const { progress, cancelled, notices } = this.session.state;
-        if (progress !== null) return;
-        this.session.removeEventListener('change', listen);
-        const fault = notices.findLast(({ ofReduction }) => ofReduction)?.text;
-        if (cancelled) reject(new DOMException(english.faults.aborted, 'AbortError'));
-        else if (this.report && this.reduction !== before) resolve(this.report);
-        else reject(new Error(fault ?? english.faults.failed));
-      };
-      this.session.addEventListener('change', listen);
-    });
   }
 
   #sessionChanged(): void {

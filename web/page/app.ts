@@ -1,6 +1,6 @@
 import { css, html, LitElement } from 'lit';
 import { reduce } from '../../wasm/index.ts';
-import { download, savedKinds } from '../element/download.ts';
+import { download, type SavedKind, savedKinds } from '../element/download.ts';
 import { BoundsCurve } from '../session/bounds-curve.ts';
 import '../element/index.ts';
 import type { WantedView } from '../element/view-settings.ts';
@@ -223,11 +223,19 @@ export class App extends LitElement {
     const items: MenuItem[] = [
       ...savedKinds
         .filter((kind) => kind !== 'levels' || hasLevels)
-        .map((kind) => ({ ...pageEnglish.page.saved[kind], take: () => this.viewer.save(kind) })),
+        .map((kind) => ({ ...pageEnglish.page.saved[kind], take: () => this.#save(kind) })),
       { ...pageEnglish.page.picture, take: () => this.#savePicture(true) },
       { ...pageEnglish.page.barePicture, take: () => this.#savePicture(false) },
     ];
     return html`<meshbound-menu label=${pageEnglish.page.save} ?disabled=${!hasResult} .items=${items}></meshbound-menu>`;
+  }
+
+  async #save(kind: SavedKind): Promise<void> {
+    try {
+      await this.viewer.save(kind);
+    } catch {
+      // The answer that was waited for does not come: the page says that it was cancelled, or why it failed.
+    }
   }
 
   async #savePicture(legends: boolean): Promise<void> {

@@ -249,11 +249,12 @@ export class Session extends EventTarget {
     }
   }
 
-  /** Stops everything that runs, and tells nobody. */
+  /** Stops everything that runs. Nobody is there any more to see a change; who waits for an answer is told by `stop`. */
   stop(): void {
     this.#opening.abort();
     this.#stopReducing();
     this.#state = { ...this.#state, opening: null, progress: null, provisional: null };
+    this.dispatchEvent(new Event('stop'));
   }
 
   /** Tells the user of a fault; a lasting one is not about the file that is open. */
