@@ -135,7 +135,10 @@ export interface Report {
   };
   /** Parts of the surface that were left out, see `ReduceOptions.dropSmallParts`. */
   dropped: { parts: number; triangles: number };
-  /** Which of `ReduceOptions.lockedBoxes` meet no triangle, so that nothing stays because of them; rising indices. */
+  /**
+   * Which of `ReduceOptions.lockedBoxes` meet no triangle, so that nothing stays because of them; rising indices. Of what was
+   * reduced onward: no triangle of the waypoint.
+   */
   unmetBoxes: number[];
   /** By rising labels; empty where triangles have none. */
   regions: RegionReport[];

@@ -1,6 +1,9 @@
 // While a slider moves a large surface is answered at once, and what is shown meanwhile says that it is provisional.
 import { expect, type Page, test } from '@playwright/test';
-import { counts, saved, sentence } from './open-page.ts';
+import { chooseFile, counts, saved, sentence } from './open-page.ts';
+import { slope } from './surfaces.ts';
+
+type Viewer = HTMLElementTagNameMap['meshbound-viewer'];
 
 const patience = { timeout: 60_000 };
 const bound = (page: Page) => page.getByRole('slider', { name: 'Bound of position' });
@@ -137,6 +140,27 @@ test('who waits for what is saved is told where the viewer is removed, but not w
     return [moved, saving];
   });
   expect(ends).toEqual(['', 'AbortError: The reduction was aborted.']);
+});
+
+test('that a locked box meets nothing is said of the original, whatever a provisional surface meets', async ({
+  page,
+}) => {
+  await openLarge(page);
+  await page.evaluate(() => window.release?.());
+  await chooseFile(page, 'slope.ply', slope(201));
+  await expect(page.locator('meshbound-bounds-panel')).not.toContainText('density', patience);
+  const viewer = page.locator('meshbound-viewer');
+  // Not at the sheet, but between the ends of the large triangles that are left of it.
+  await viewer.evaluate((element: Viewer) => Object.assign(element, { lockBox: '0.4,0.4,0.7,0.5,0.5,0.8' }));
+  const unmet = page.getByText('No triangle meets the box');
+  await expect(unmet).toHaveCount(1, patience);
+  await page.evaluate(() => window.hold());
+  await bound(page).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(caption(page)).toContainText('provisional', patience);
+  const met = await viewer.evaluate(({ session }: Viewer) => session.state.provisional?.result.report.unmetBoxes);
+  expect(met).toEqual([]);
+  await expect(unmet).toHaveCount(1);
 });
 
 test('only the side that changes is drawn, and the other one stays as it is', async ({ page }) => {

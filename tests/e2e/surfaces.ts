@@ -47,6 +47,15 @@ export function sheet(side: number): Buffer {
   return ply({ vertices, faces: gridFaces(side), variables: ['heat', 'wind'] });
 }
 
+/** A flat sheet with z = x, whose box along the axes is large, but not those of its triangles. */
+export function slope(side: number): Buffer {
+  const vertices = Array.from({ length: side * side }, (_, index) => {
+    const [x, y] = [(index % side) / (side - 1), Math.floor(index / side) / (side - 1)];
+    return [x, y, x];
+  });
+  return ply({ vertices, faces: gridFaces(side) });
+}
+
 /**
  * A flat sheet with a hill of height 0.1 on the left and a hollow as deep on the right; `heat` rises to 1 on the hill and
  * falls to −1 in the hollow; the vector `wind` does so in one component. Everything is zero along the boundary.

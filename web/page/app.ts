@@ -177,6 +177,7 @@ export class App extends LitElement {
           .pinned=${this.#pinned}
           @keeping-change=${({ detail }: CustomEvent<Partial<Keeping>>) => this.#set(keepingText({ ...keeping, ...detail }))}
           .report=${result?.report ?? null}
+          .unmetBoxes=${session.state.reduced?.result.report.unmetBoxes ?? []}
           .reduction=${result}
           .measured=${measured}
           .curve=${this.#curve.points}

@@ -55,6 +55,7 @@ export class BoundsPanel extends LitElement {
     keeping: { attribute: false },
     pinned: { attribute: false },
     report: { attribute: false },
+    unmetBoxes: { attribute: false },
     reduction: { attribute: false },
     spreadShown: { state: true },
     measured: { type: Boolean },
@@ -117,6 +118,8 @@ export class BoundsPanel extends LitElement {
   /** The place on the original that is pinned. */
   declare pinned: readonly number[] | null;
   declare report: Report | null;
+  /** Of the last reduction from the original: a provisional answer knows only what its box meets on the way there. */
+  declare unmetBoxes: readonly number[];
   /** What the report is of. */
   declare reduction: Multiplied | null;
   /** Whether the spread of errors is to be seen: it is not worked out for nobody. */
@@ -135,6 +138,7 @@ export class BoundsPanel extends LitElement {
     this.keeping = nothingKept;
     this.pinned = null;
     this.report = null;
+    this.unmetBoxes = [];
     this.reduction = null;
     this.spreadShown = false;
     this.measured = true;
@@ -169,7 +173,7 @@ export class BoundsPanel extends LitElement {
         .surface=${this.surface}
         .keeping=${this.keeping}
         .pinned=${this.pinned}
-        ?isUnmet=${this.keeping.lockBox !== null && this.report?.unmetBoxes.includes(0)}
+        ?isUnmet=${this.keeping.lockBox !== null && this.unmetBoxes.includes(0)}
       ></meshbound-lock-choice>
       <meshbound-focus-choice
         .surface=${this.surface}
