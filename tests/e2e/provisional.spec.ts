@@ -90,6 +90,40 @@ test('errors that the original shows stay while the answer is provisional', asyn
   await expect(legend).toContainText('true error at each vertex');
 });
 
+/** Collects from now on what a screen reader is told of the result and of the pinned place; empties say nothing. */
+async function listenToStatus(page: Page): Promise<() => Promise<string[]>> {
+  for (const part of ['meshbound-result-bar', 'meshbound-probe-layer']) {
+    await page
+      .locator(part)
+      .getByRole('status')
+      .first()
+      .evaluate((status) => {
+        const { told } = Object.assign(window, { told: (window as unknown as { told?: string[] }).told ?? [] });
+        const listen = () => told.push(status.textContent?.trim() ?? '');
+        new MutationObserver(listen).observe(status, { childList: true, characterData: true, subtree: true });
+      });
+  }
+  return async () => (await page.evaluate(() => (window as unknown as { told: string[] }).told)).filter(Boolean);
+}
+
+test('provisional answers are to be read, but read out is the exact one alone', async ({ page }) => {
+  await openLarge(page);
+  await page.locator('#original').press('Enter');
+  const pinned = page.locator('meshbound-probe-layer').getByRole('status');
+  await expect(pinned).toContainText('Largest error', patience);
+  const told = await listenToStatus(page);
+  await bound(page).focus();
+  for (let moves = 0; moves < 3; moves++) await page.keyboard.press('ArrowRight');
+  await expect(sentence(page)).toContainText('Provisional', patience);
+  await expect(caption(page)).toContainText('provisional', patience);
+  expect(await told()).toEqual([]);
+  await page.evaluate(() => window.release?.());
+  await expect(sentence(page)).not.toContainText('Provisional', patience);
+  await expect(pinned).toContainText('Largest error', patience);
+  const exact = [await sentence(page).innerText(), await pinned.innerText()];
+  expect(await told()).toEqual(exact);
+});
+
 test('what is saved is the exact answer', async ({ page }) => {
   await openLarge(page);
   await bound(page).focus();

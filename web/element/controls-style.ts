@@ -69,4 +69,14 @@ export const controlsStyle = css`
   .small {
     font-size: var(--text-small);
   }
+
+  /* For screen readers alone. */
+  .unseen {
+    position: absolute;
+    width: 1px;
+    height: 1px;
+    overflow: hidden;
+    clip-path: inset(50%);
+    white-space: nowrap;
+  }
 `;

@@ -27,6 +27,7 @@ export class ProbeLayer extends LitElement {
     state: { attribute: false },
     labels: { attribute: false },
     markers: { attribute: false },
+    provisional: { type: Boolean },
   };
 
   static override styles = [
@@ -58,20 +59,14 @@ export class ProbeLayer extends LitElement {
         max-height: calc(100% - 20px);
         overflow-y: auto;
       }
-      .spoken {
-        position: absolute;
-        width: 1px;
-        height: 1px;
-        overflow: hidden;
-        clip-path: inset(50%);
-        white-space: nowrap;
-      }
     `,
   ];
 
   declare state: ProbeState;
   declare labels: Labels | null;
   declare markers: readonly Marker[];
+  /** Another reduction takes the place of the one that is probed as soon as it is there. */
+  declare provisional: boolean;
   #corner: Corner = corners[0];
 
   constructor() {
@@ -79,6 +74,7 @@ export class ProbeLayer extends LitElement {
     this.state = nothingProbed;
     this.labels = null;
     this.markers = [];
+    this.provisional = false;
   }
 
   override render() {
@@ -103,14 +99,14 @@ export class ProbeLayer extends LitElement {
             ></meshbound-probe-card>`
           : nothing
       }
-      <div class="spoken" role="status">${this.#spoken()}</div>
+      <div class="unseen" role="status">${this.#spoken()}</div>
     `;
   }
 
-  /** Not while the pointer moves: it would never end. */
+  /** Not while the pointer moves, or a bound: it would never end. */
   #spoken(): string {
     const { probe, pinned, pending } = this.state;
-    if (!probe || !pinned || pending) return '';
+    if (!probe || !pinned || pending || this.provisional) return '';
     const most = largestShare(probe);
     return most ? english.probe.largest(most.name, usedShareText(most.ratio ?? 0)) : english.probe.unknown;
   }

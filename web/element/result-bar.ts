@@ -129,9 +129,10 @@ export class ResultBar extends LitElement {
   override render() {
     return html`
       <div class="said ${this.whole ? 'whole' : ''}">
-        <p part="sentence" class="sentence ${this.progress === null ? '' : 'passing'}" role="status">
+        <p part="sentence" class="sentence ${this.progress === null ? '' : 'passing'}">
           ${this.report ? this.#sentence(this.report) : ''}
         </p>
+        <span class="unseen" role="status">${this.#spoken()}</span>
         ${this.cut || this.whole ? this.#moreButton() : nothing}
       </div>
       <span part="numbers" class="numbers soft">${this.#numbers()}</span>
@@ -166,6 +167,11 @@ export class ResultBar extends LitElement {
   #sentence(report: Report): string {
     const sentence = promiseSentence(report, this.measured, this.multiplied);
     return isProvisional(report) ? `${english.sentence.provisional} ${sentence}` : sentence;
+  }
+
+  /** Not while a reduction runs: what is on the way to the answer would be read out again and again. */
+  #spoken(): string {
+    return this.report && this.progress === null && !isProvisional(this.report) ? this.#sentence(this.report) : '';
   }
 
   #moreButton() {

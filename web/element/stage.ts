@@ -138,6 +138,7 @@ export class Stage extends LitElement {
         exportparts="marker, probe"
         .state=${this.probe}
         .labels=${this.surface?.labels ?? null}
+        ?provisional=${this.#toldShown.reduction && isProvisional(this.#toldShown.reduction.report)}
         @worst-wanted=${({ detail }: CustomEvent<string>) => this.#tell('stage-worst', detail)}
         @unpin=${() => this.#tell('stage-pin', null)}
       ></meshbound-probe-layer>

@@ -30,13 +30,6 @@ export class Menu extends LitElement {
       :host {
         display: inline-block;
       }
-      .unseen {
-        position: absolute;
-        width: 1px;
-        height: 1px;
-        overflow: hidden;
-        clip-path: inset(50%);
-      }
       [popover] {
         inset: auto;
         min-width: 150px;
