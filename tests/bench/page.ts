@@ -11,12 +11,13 @@ import { cpus } from 'node:os';
 import { gzipSync } from 'node:zlib';
 import { type Browser, chromium, type Page } from '@playwright/test';
 import { preview } from 'vite';
+import { portOr } from '../port.ts';
 import { writeBelow } from '../write-below.ts';
 import { fromRoot } from './cases.ts';
 import { checkPageIsBuilt, chromiumPath, prepared } from './prerequisites.ts';
 
 const marker = '<!-- Below: tests/bench/page.ts -->';
-const port = Number(process.env.PORT ?? 4319);
+const port = prepared(() => portOr(4319));
 const address = `http://localhost:${port}/`;
 const patience = 120_000;
 /** Each is loaded so often, and the median taken. */

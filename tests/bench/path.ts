@@ -8,6 +8,7 @@
 import { cpus } from 'node:os';
 import { chromium, type Page } from '@playwright/test';
 import { preview } from 'vite';
+import { portOr } from '../port.ts';
 import { writeBelow } from '../write-below.ts';
 import { fromRoot } from './cases.ts';
 import { pythonWithVtk } from './contenders.ts';
@@ -18,7 +19,7 @@ import { dragTable, fileTable, type Way } from './path-table.ts';
 import { checkPageIsBuilt, chromiumPath, prepared } from './prerequisites.ts';
 
 const marker = '<!-- Below: tests/bench/path.ts -->';
-const port = Number(process.env.PORT ?? 4318);
+const port = prepared(() => portOr(4318));
 /** How often the slider moves. */
 const moves = 5;
 const patience = 600_000;

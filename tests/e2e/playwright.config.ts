@@ -1,8 +1,8 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from '@playwright/test';
+import { portOr } from '../port.ts';
 
-// Another port lets two checkouts be tested at once.
-const port = Number(process.env.PORT ?? 4317);
+const port = portOr(4317);
 const browser = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
