@@ -3,7 +3,7 @@ import type { Mesh, ReduceOptions, Reduction } from '../../wasm/types.ts';
 import { defaultBounds, moveAll } from '../../web/session/bound-setting.ts';
 import { BoundsCurve, curveFractions } from '../../web/session/bounds-curve.ts';
 import { nothingKept } from '../../web/session/keeping.ts';
-import type { SessionState } from '../../web/session/session.ts';
+import type { SessionState } from '../../web/session/session-state.ts';
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());

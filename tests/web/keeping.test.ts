@@ -4,7 +4,7 @@ import { reduce, reduceLevels } from '../../wasm/index.ts';
 import { keepingFrom, keepingText } from '../../web/element/keeping-attributes.ts';
 import { type Keeping, nothingKept } from '../../web/session/keeping.ts';
 import { firstMethod } from '../../web/session/method.ts';
-import type { OpenSurface } from '../../web/session/session.ts';
+import type { OpenSurface } from '../../web/session/open-surface.ts';
 import { levelsOf, resultOf, taskOf } from '../../web/session/task.ts';
 
 const side = 24;

@@ -1,7 +1,8 @@
 import { describe, expect, test, vi } from 'vitest';
 import type { Levels, LevelsOptions, Mesh, Reduction } from '../../wasm/types.ts';
 import { coarser, LevelSession } from '../../web/session/level-session.ts';
-import { type Reduced, Session } from '../../web/session/session.ts';
+import { Session } from '../../web/session/session.ts';
+import type { Reduced } from '../../web/session/session-state.ts';
 import { noOddities } from './no-oddities.ts';
 
 const mesh: Mesh = {

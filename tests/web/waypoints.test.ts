@@ -3,7 +3,8 @@ import { afterEach, describe, expect, test, vi } from 'vitest';
 import type { OnwardOptions, ReduceOptions, Reduction, Report, Waypoint } from '../../wasm/types.ts';
 import { nothingKept } from '../../web/session/keeping.ts';
 import { firstMethod } from '../../web/session/method.ts';
-import { answerOf, Session } from '../../web/session/session.ts';
+import { Session } from '../../web/session/session.ts';
+import { answerOf } from '../../web/session/session-state.ts';
 import { Waypoints } from '../../web/session/waypoints.ts';
 import { noOddities } from './no-oddities.ts';
 

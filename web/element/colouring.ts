@@ -11,7 +11,7 @@ import {
   usedValues,
 } from '../colour/field.ts';
 import type { Labels } from '../formats/surface.ts';
-import type { OpenSurface } from '../session/session.ts';
+import type { OpenSurface } from '../session/open-surface.ts';
 import { english } from '../words/english.ts';
 import { valueText } from './number-text.ts';
 import type { Quantity, ViewSettings } from './view-settings.ts';

@@ -1,6 +1,6 @@
 import { css, html, LitElement } from 'lit';
 import { live } from 'lit/directives/live.js';
-import type { OpenSurface } from '../session/session.ts';
+import type { OpenSurface } from '../session/open-surface.ts';
 import { type ComponentSpan, spanOf } from '../surface/value-span.ts';
 import { axes, type ClipPlane, clipText, parseClip } from '../viewer/look.ts';
 import { english } from '../words/english.ts';

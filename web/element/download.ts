@@ -5,9 +5,10 @@ import type { Format } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import { lossesOf, writeLevels, writeSurface } from '../formats/write.ts';
 import { asBounds } from '../session/bound-setting.ts';
+import type { OpenSurface } from '../session/open-surface.ts';
 import { pointsText } from '../session/point-list.ts';
 import { reportJson } from '../session/report-json.ts';
-import type { OpenSurface, Reduced } from '../session/session.ts';
+import type { Reduced } from '../session/session-state.ts';
 import { english } from '../words/english.ts';
 import { savedFileName } from './file-name.ts';
 

@@ -1,6 +1,6 @@
 import type { Levels, Mesh, Morph, Reduction } from '../../wasm/types.ts';
 import { placeByShare, placeBySign } from '../colour/error-places.ts';
-import type { OpenSurface } from '../session/session.ts';
+import type { OpenSurface } from '../session/open-surface.ts';
 import type { MorphSource } from '../viewer/prepare-morph.ts';
 import { type Colouring, valueColouring } from './colouring.ts';
 import { reducedErrors } from './error-colouring.ts';

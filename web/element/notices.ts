@@ -1,6 +1,6 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
-import type { Notice } from '../session/session.ts';
+import type { Notice } from '../session/session-state.ts';
 import { english } from '../words/english.ts';
 import { controlsStyle } from './controls-style.ts';
 

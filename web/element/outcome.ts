@@ -1,4 +1,5 @@
-import type { Reduced, Session } from '../session/session.ts';
+import type { Session } from '../session/session.ts';
+import type { Reduced } from '../session/session-state.ts';
 import { english } from '../words/english.ts';
 
 /**

@@ -1,4 +1,4 @@
-import type { Opening, SessionState } from '../session/session.ts';
+import type { Opening, SessionState } from '../session/session-state.ts';
 import { english } from '../words/english.ts';
 
 /** What a viewer does from an address to a picture, in this order, and about how long each takes of it all. */

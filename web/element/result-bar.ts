@@ -1,6 +1,6 @@
 import { css, html, LitElement, nothing } from 'lit';
 import type { Report } from '../../wasm/types.ts';
-import type { Opening } from '../session/session.ts';
+import type { Opening } from '../session/session-state.ts';
 import { english } from '../words/english.ts';
 import { controlsStyle } from './controls-style.ts';
 import { percentText, secondsText } from './number-text.ts';

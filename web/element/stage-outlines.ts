@@ -1,6 +1,6 @@
 import type { Mesh } from '../../wasm/types.ts';
 import type { Keeping } from '../session/keeping.ts';
-import type { OpenSurface } from '../session/session.ts';
+import type { OpenSurface } from '../session/open-surface.ts';
 import { regionBorders } from '../surface/region-borders.ts';
 import type { Frame } from '../viewer/frame.ts';
 import { ballSegments, boxSegments } from '../viewer/outline.ts';

@@ -11,8 +11,8 @@ import {
 import type { Multiplied } from '../probe/multiplied.ts';
 import type { Side } from '../probe/probe.ts';
 import { type Keeping, nothingKept } from '../session/keeping.ts';
+import type { OpenSurface } from '../session/open-surface.ts';
 import { nothingProbed, type ProbeState } from '../session/probing.ts';
-import type { OpenSurface } from '../session/session.ts';
 import { type Frame, frameOf } from '../viewer/frame.ts';
 import { chooseLevel } from '../viewer/level-choice.ts';
 import { type CameraPlace, parsePlaces, placesText, type ViewDirection } from '../viewer/linked-cameras.ts';

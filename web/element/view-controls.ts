@@ -4,7 +4,7 @@ import { valueColormaps } from '../colour/colormaps.ts';
 import { parseRange } from '../colour/colour-range.ts';
 import { componentsOf } from '../colour/field.ts';
 import type { BoundSettings } from '../session/bound-setting.ts';
-import type { OpenSurface } from '../session/session.ts';
+import type { OpenSurface } from '../session/open-surface.ts';
 import { viewDirections } from '../viewer/linked-cameras.ts';
 import { controlsStyle } from './controls-style.ts';
 import './cut-choice.ts';

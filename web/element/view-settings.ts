@@ -2,7 +2,7 @@ import type { VariableExtent } from '../../wasm/index.ts';
 import { type ValueColormap, valueColormaps } from '../colour/colormaps.ts';
 import { parseRange } from '../colour/colour-range.ts';
 import { type Component, componentsOf } from '../colour/field.ts';
-import type { OpenSurface } from '../session/session.ts';
+import type { OpenSurface } from '../session/open-surface.ts';
 import { parseClip } from '../viewer/look.ts';
 
 /** What is shown of a variable: its values, the errors as shares of the bound, or the errors with their signs. */

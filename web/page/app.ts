@@ -9,7 +9,7 @@ import { surfaceAmong } from '../formats/surface-among.ts';
 import { messageOf } from '../session/failure.ts';
 import { type Keeping, nothingKept } from '../session/keeping.ts';
 import type { Method } from '../session/method.ts';
-import { answerOf } from '../session/session.ts';
+import { answerOf } from '../session/session-state.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';

@@ -6,7 +6,7 @@ import { type Bounds, readBounds } from '../session/bound-text.ts';
 import type { CurvePoint } from '../session/bounds-curve.ts';
 import { isMultiplied, type Keeping, nothingKept } from '../session/keeping.ts';
 import type { Method } from '../session/method.ts';
-import type { OpenSurface } from '../session/session.ts';
+import type { OpenSurface } from '../session/open-surface.ts';
 import './bound-row.ts';
 import './bounds-chart.ts';
 import './error-spread.ts';

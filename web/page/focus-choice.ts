@@ -2,7 +2,7 @@ import { html, LitElement, nothing } from 'lit';
 import { controlsStyle } from '../element/controls-style.ts';
 import type { FocusPoint } from '../session/focus-point.ts';
 import { type Keeping, nothingKept } from '../session/keeping.ts';
-import type { OpenSurface } from '../session/session.ts';
+import type { OpenSurface } from '../session/open-surface.ts';
 import { spanOf } from '../surface/value-span.ts';
 import { pageEnglish } from '../words/page-english.ts';
 import { choice, tick } from './group-controls.ts';

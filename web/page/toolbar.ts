@@ -5,7 +5,8 @@ import '../element/view-controls.ts';
 import { firstView, type ViewSettings, type WantedView } from '../element/view-settings.ts';
 import { formatNames } from '../formats/format-names.ts';
 import type { BoundSettings } from '../session/bound-setting.ts';
-import type { Opening, OpenSurface } from '../session/session.ts';
+import type { OpenSurface } from '../session/open-surface.ts';
+import type { Opening } from '../session/session-state.ts';
 import { pageEnglish } from '../words/page-english.ts';
 import type { Sample } from './samples.ts';
 

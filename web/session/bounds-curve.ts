@@ -3,7 +3,7 @@ import { asBounds, type BoundSettings, largestFraction, moveAll } from './bound-
 import { sameKeeping } from './keeping.ts';
 import { Latest, superseded } from './latest.ts';
 import { sameMethod } from './method.ts';
-import type { SessionState } from './session.ts';
+import type { SessionState } from './session-state.ts';
 import { taskOf } from './task.ts';
 
 /** How many triangles are left where the largest bound is this fraction, and the others stand in proportion to it. */

@@ -1,7 +1,9 @@
 import type { Levels, LevelsOptions, Mesh } from '../../wasm/index.ts';
 import { asBounds, type BoundSettings, largestFraction, moveAll } from './bound-setting.ts';
 import { Latest, superseded } from './latest.ts';
-import { answerOf, type OpenSurface, type Reduced, type Session } from './session.ts';
+import type { OpenSurface } from './open-surface.ts';
+import type { Session } from './session.ts';
+import { answerOf, type Reduced } from './session-state.ts';
 import { levelsOf, taskOf } from './task.ts';
 
 /** Levels of detail of the surface that is open. Never changed in place: a change replaces it. */

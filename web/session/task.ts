@@ -4,8 +4,8 @@ import type { Multiplied } from '../probe/multiplied.ts';
 import { multiplierNear } from '../surface/nearness.ts';
 import type { Keeping } from './keeping.ts';
 import type { Method } from './method.ts';
+import type { OpenSurface } from './open-surface.ts';
 import { pointsOf } from './point-list.ts';
-import type { OpenSurface } from './session.ts';
 
 /** What the core is given but for bounds, and what it takes to understand its answer. */
 export interface Task {

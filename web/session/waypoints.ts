@@ -1,14 +1,8 @@
 import type { VariableReport, Waypoint } from '../../wasm/types.ts';
-import { type BoundSetting, type BoundSettings, wholeOf } from './bound-setting.ts';
-import { isMultiplied, type Keeping, sameKeeping } from './keeping.ts';
-import { type Method, sameMethod } from './method.ts';
-
-/** What a reduction is asked for. */
-interface Asked {
-  bounds: BoundSettings;
-  method: Method;
-  keeping: Keeping;
-}
+import { type BoundSetting, wholeOf } from './bound-setting.ts';
+import { isMultiplied, sameKeeping } from './keeping.ts';
+import { sameMethod } from './method.ts';
+import type { Asked } from './session-state.ts';
 
 interface Kept extends Omit<Asked, 'bounds'> {
   waypoints: Waypoint[];
