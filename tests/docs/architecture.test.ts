@@ -48,6 +48,23 @@ test.each([...allowed.keys()])('%s imports what it may', (folder) => {
   expect(strangers).toEqual([]);
 });
 
+test('no file imports itself by way of others, not even for types', () => {
+  const imports = new Map(
+    ['workers', 'wasm', 'web'].flatMap((folder) => sources(folder, /\.ts$/)).map((path) => [path, importsOf(path)]),
+  );
+  const seen = new Set<string>();
+  const circles: string[] = [];
+  const follow = (path: string, way: string[]) => {
+    if (way.includes(path)) circles.push([...way.slice(way.indexOf(path)), path].join(' → '));
+    if (seen.has(path)) return;
+    seen.add(path);
+    for (const imported of imports.get(path) ?? []) follow(imported, [...way, path]);
+  };
+  for (const path of imports.keys()) follow(path, []);
+  expect(imports.size).toBeGreaterThan(100);
+  expect(circles).toEqual([]);
+});
+
 test('the core includes itself, GLM and the standard library', () => {
   const headers = sources('core', /\.[ch]pp$/).flatMap((path) =>
     Array.from(readFileSync(path, 'utf8').matchAll(/#include (?:<(\w+)\/|"(\.\.))/g), ([line]) => `${path}: ${line}`),

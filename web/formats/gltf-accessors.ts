@@ -1,6 +1,6 @@
 import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
-import type { GltfAccessor, GltfJson } from './gltf-container.ts';
+import type { GltfAccessor, GltfJson } from './gltf-json.ts';
 import { counted, grouped } from './wording.ts';
 
 const componentSizes = new Map([

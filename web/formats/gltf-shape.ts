@@ -1,5 +1,5 @@
 import { FormatError } from './format-error.ts';
-import type { GltfJson } from './gltf-container.ts';
+import type { GltfJson } from './gltf-json.ts';
 import { quoted } from './wording.ts';
 
 type Item = Record<string, unknown>;

@@ -12,7 +12,8 @@ import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
 import { checkAccessors } from './gltf-accessors.ts';
 import { readBuffers } from './gltf-buffers.ts';
-import { type GltfJson, openGltf } from './gltf-container.ts';
+import { openGltf } from './gltf-container.ts';
+import type { GltfJson } from './gltf-json.ts';
 import {
   extrasOf,
   type GltfAttribute,

@@ -1,4 +1,4 @@
-import type { Watchers } from './services.ts';
+import type { Watchers } from './watchers.ts';
 
 /** An address that gives no bytes. The message is a sentence for people. */
 export class LoadError extends Error {

@@ -2,7 +2,7 @@ import type { Mesh } from '../../wasm/types.ts';
 import { fromAnyHost } from '../../workers/from-any-host.ts';
 import type { NamedFile } from '../formats/read-together.ts';
 import type { Labels } from '../formats/surface.ts';
-import type { Watchers } from './services.ts';
+import type { Watchers } from './watchers.ts';
 
 /** What a file holds. */
 export interface OpenedFile {

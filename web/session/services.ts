@@ -1,13 +1,7 @@
 import type { Inspection, Mesh, OnwardOptions, ReduceOptions, Reduction, Waypoint } from '../../wasm/index.ts';
 import type { NamedFile } from '../formats/read-together.ts';
 import type { OpenedFile } from './read.ts';
-
-/** What a task that takes a while gets from who waits for it. */
-export interface Watchers {
-  signal?: AbortSignal;
-  /** Called with the progress, 0…1, never falling, where it is known. */
-  onProgress?: (progress: number) => void;
-}
+import type { Watchers } from './watchers.ts';
 
 /** What a session needs of the world around it; tests give it other ones. */
 export interface Services {
