@@ -1,13 +1,11 @@
-import { html, LitElement, nothing, type PropertyValues } from 'lit';
+import { html, nothing, type PropertyValues } from 'lit';
 import { inspect, reduce, reduceLevels, reduceOnward, segment } from '../../wasm/index.ts';
-import type { Levels, Reduction, Report } from '../../wasm/types.ts';
-import type { ValueColormap } from '../colour/colormaps.ts';
+import type { Reduction, Report } from '../../wasm/types.ts';
 import type { Probe } from '../probe/probe.ts';
 import { areFirst, asBounds, largestFraction } from '../session/bound-setting.ts';
 import { boundsText, readBounds } from '../session/bound-text.ts';
 import { fetchBytes } from '../session/fetch-bytes.ts';
 import { LevelSession, mostLevels } from '../session/level-session.ts';
-import type { Method } from '../session/method.ts';
 import { Probing } from '../session/probing.ts';
 import { readInWorker } from '../session/read.ts';
 import { Session } from '../session/session.ts';
@@ -15,16 +13,17 @@ import { answerOf, type Reduced, type SessionState } from '../session/session-st
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
 import { download, type SavedKind, savedFile } from './download.ts';
-import { keepingAttributes, keepingFrom, type WantedKeeping } from './keeping-attributes.ts';
+import { keepingAttributes, keepingFrom } from './keeping-attributes.ts';
 import './levels-panel.ts';
 import { LevelMotion } from './level-motion.ts';
 import { LevelView } from './level-view.ts';
 import './notices.ts';
 import { percentText } from './number-text.ts';
 import { outcomeOf } from './outcome.ts';
-import { overall, type Phase, type Step, stepOf } from './progress.ts';
+import { stepOf } from './progress.ts';
 import { isMeasured } from './promise-words.ts';
 import './result-bar.ts';
+import { Sight } from './sight.ts';
 import type { Shown, Stage } from './stage.ts';
 import type { Pointed } from './stage-probe.ts';
 import './stage.ts';
@@ -32,21 +31,12 @@ import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import { tokens } from './tokens.ts';
 import './view-controls.ts';
 import { english } from '../words/english.ts';
-import {
-  firstView,
-  type Quantity,
-  sameView,
-  settingsFor,
-  type View,
-  type ViewSettings,
-  type WantedView,
-} from './view-settings.ts';
+import { firstView, sameView, settingsFor, type ViewSettings, type WantedView } from './view-settings.ts';
 import { asAttribute, methodAttributes, methodFrom, propertyOf, viewAttributes } from './viewer-attributes.ts';
+import { ViewerEvents } from './viewer-events.ts';
+import { ViewerProperties } from './viewer-properties.ts';
 import { firstState, type StateAttribute, stateAttributes, type ViewerState } from './viewer-state.ts';
 import { viewerStyle } from './viewer-style.ts';
-
-/** How near to the window's part in sight a lazy viewer begins to load. */
-const lazyMargin = '200px';
 
 /**
  * A surface that carries data, and its reduction within proved bounds.
@@ -104,140 +94,18 @@ const lazyMargin = '200px';
  * @cssprop --meshbound-text-small - Size of text in legends.
  * @cssprop --meshbound-font - Family of text.
  */
-export class MeshboundViewer extends LitElement implements WantedView, WantedKeeping {
+export class MeshboundViewer extends ViewerProperties {
   static override properties = {
-    // Setting the same address again loads it again.
-    src: { hasChanged: () => true },
     bounds: { noAccessor: true },
-    errors: {},
-    cost: {},
-    refusePiercing: { attribute: 'refuse-piercing', type: Boolean },
-    limitToFeatureSize: { attribute: 'limit-to-feature-size', type: Boolean },
-    dropSmallParts: { attribute: 'drop-small-parts', type: Boolean },
-    lockPoints: { attribute: 'lock-points' },
-    lockBox: { attribute: 'lock-box' },
-    regions: {},
-    lockRegions: { attribute: 'lock-regions' },
-    focusVariable: { attribute: 'focus-variable' },
-    focusPoint: { attribute: 'focus-point' },
-    variable: {},
-    component: {},
-    show: {},
-    colormap: {},
-    range: {},
-    view: {},
-    edges: { type: Boolean },
-    flat: { type: Boolean },
-    cull: { type: Boolean },
-    orthographic: { type: Boolean },
-    clip: {},
     camera: { noAccessor: true },
     levelCount: { noAccessor: true, attribute: 'level-count', type: Number },
     level: { noAccessor: true, type: Number },
     levelPixels: { noAccessor: true, attribute: 'level-pixels', type: Number },
-    unlinked: { type: Boolean },
-    controls: { type: Boolean },
-    poster: {},
-    loading: {},
-    alt: {},
     drawnOnce: { state: true },
   };
 
   static override styles = [tokens, controlsStyle, viewerStyle];
 
-  /** The address of a surface: PLY, VTP, legacy VTK, glTF, OBJ or STL, packed by gzip or not. */
-  declare src: string | null;
-  /** How errors are accounted for: `tracked` (default) or `propagated`, as in the paper. */
-  declare errors: Method['errors'] | null;
-  /** What retriangulation makes small where errors are propagated: the error `introduced` (default), or the `maximum`. */
-  declare cost: Method['cost'] | null;
-  /**
-   * Let no part of the surface pierce another one that passes near, in exchange for about half the time more.
-   *
-   * @attr refuse-piercing
-   */
-  declare refusePiercing: boolean;
-  /**
-   * Limit the bound of position to half the smallest distance between two parts of the surface that face each other.
-   *
-   * @attr limit-to-feature-size
-   */
-  declare limitToFeatureSize: boolean;
-  /**
-   * Leave out parts of the surface that are smaller than the bound of position, and count them; the promise is about the rest.
-   *
-   * @attr drop-small-parts
-   */
-  declare dropSmallParts: boolean;
-  /**
-   * Points that stay as they are, by their numbers in the surface as it is read, counted from 0: `3,17,20-40`.
-   *
-   * @attr lock-points
-   */
-  declare lockPoints: string | null;
-  /**
-   * A box whose inside stays as it is, in the unit of position: the lowest and the highest place along the axes,
-   * `0,0,0,1,1,1`. Every triangle that meets it stays.
-   *
-   * @attr lock-box
-   */
-  declare lockBox: string | null;
-  /** The cell data, of whole numbers, whose values part the surface into regions: their borders are kept within the bounds. */
-  declare regions: string | null;
-  /**
-   * Regions that stay as they are, by their numbers: `2,5`.
-   *
-   * @attr lock-regions
-   */
-  declare lockRegions: string | null;
-  /**
-   * The variable, of one component and above zero everywhere, that multiplies every bound at each point of the original.
-   *
-   * @attr focus-variable
-   */
-  declare focusVariable: string | null;
-  /**
-   * Where bounds are finer, as `x,y,z,radius,factor`: within the radius they are multiplied by the factor, 0…1, and rise
-   * from there to what they are at twice the radius. With `focus-variable` both multiply.
-   *
-   * @attr focus-point
-   */
-  declare focusPoint: string | null;
-  /** What the surfaces are coloured by: a variable, `position` among them. Default: the first that varies. */
-  declare variable: string | null;
-  /** Which component of a vector: `magnitude` (default), or what it is called: x, y, z, or as in the file. */
-  declare component: string | null;
-  /** What is shown of the variable: `value` (default), `error` as a share of its bound, or `signed-error`. */
-  declare show: Quantity | null;
-  /** The map for values; errors have maps of their own. Default: viridis. */
-  declare colormap: ValueColormap | null;
-  /** What the map for values spans: `data` (default), percentiles as `2%…98%`, or two values as `0…1.5`. */
-  declare range: string | null;
-  /**
-   * `split` (default), `wipe` (one over the other, with a divider to drag), `original`, `reduced`, or `morph`
-   * (the reduced surface with levels of detail, of which there are then four unless `level-count` says otherwise).
-   */
-  declare view: View | null;
-  /** Whether every triangle is shaded as the plane that it is. */
-  declare flat: boolean;
-  /** Whether triangles are drawn only where their front is seen, so that one looks through the backs. */
-  declare cull: boolean;
-  /** Whether parallels stay parallel, instead of a perspective. */
-  declare orthographic: boolean;
-  /** A plane that cuts off one side, in the mesh's unit: `x < 0.5` keeps what is below. */
-  declare clip: string | null;
-  /** Whether the edges of the triangles are drawn. */
-  declare edges: boolean;
-  /** Whether each side has a camera of its own, instead of one for both. */
-  declare unlinked: boolean;
-  /** Whether there are a bar of controls above the stage and the result in words below it. */
-  declare controls: boolean;
-  /** The address of an image to show until the first surface is drawn. */
-  declare poster: string | null;
-  /** `lazy`: nothing is loaded before the element comes near the part of the page in sight. */
-  declare loading: 'eager' | 'lazy' | null;
-  /** What the surface is, for those who cannot see it. */
-  declare alt: string | null;
   /** Whether the poster has done its duty. @internal */
   declare drawnOnce: boolean;
 
@@ -249,7 +117,6 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
   /** What the stage has drawn, and the variable whose worst place is to be pinned when it is a reduction. */
   #shown: Shown = { mesh: null, reduction: null };
   #worstWanted: string | null = null;
-  #toldPin: readonly number[] | null = null;
   #levelView: LevelView | null = null;
   #motion = new LevelMotion(this.levels, () => this.#stage?.showsReduced ?? false);
   /** What the last change of the session was compared with. */
@@ -260,48 +127,15 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
   #drawn = true;
   /** Whether this browser can draw at all. */
   #drawable = true;
-  /** What the work that goes on began with, and what was last told of it. */
-  #first: Phase | null = null;
-  #step: Step | null = null;
+  #events = new ViewerEvents(this);
   /** The camera, until there is a stage for it. */
   #firstCamera: string | null = null;
   /** The level that was asked for, until there are so many. */
   #firstLevel: number | null = null;
-  /** The reports of levels that were last told of, and the level. */
-  #toldLevels: Levels | null = null;
-  #toldLevel = 1;
-  #sight: IntersectionObserver | null = null;
+  #sight = new Sight();
 
   constructor() {
     super();
-    this.src = null;
-    this.errors = null;
-    this.cost = null;
-    this.refusePiercing = false;
-    this.limitToFeatureSize = false;
-    this.dropSmallParts = false;
-    this.lockPoints = null;
-    this.lockBox = null;
-    this.regions = null;
-    this.lockRegions = null;
-    this.focusVariable = null;
-    this.focusPoint = null;
-    this.variable = null;
-    this.component = null;
-    this.show = null;
-    this.colormap = null;
-    this.range = null;
-    this.view = null;
-    this.flat = false;
-    this.cull = false;
-    this.orthographic = false;
-    this.clip = null;
-    this.edges = false;
-    this.unlinked = false;
-    this.controls = false;
-    this.poster = null;
-    this.loading = null;
-    this.alt = null;
     this.drawnOnce = false;
     this.session.addEventListener('change', () => this.#sessionChanged());
     this.levels.addEventListener('change', () => this.#levelsChanged());
@@ -538,7 +372,7 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#sight?.disconnect();
+    this.#sight.stop();
     this.#motion.stop();
     // Moved within the document, it is back at once.
     queueMicrotask(() => this.isConnected || this.#stop());
@@ -596,7 +430,7 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
           @stage-worst=${({ detail }: CustomEvent<string>) => this.probeWorst(detail)}
           @keydown=${(event: KeyboardEvent) => event.key === 'Escape' && this.unpin()}
           @stage-drawn=${this.#stageDrawn}
-          @stage-camera=${({ detail }: CustomEvent<string | null>) => this.#fire('camera-change', { camera: detail })}
+          @stage-camera=${({ detail }: CustomEvent<string | null>) => this.#events.cameraMoved(detail)}
           @stage-fault=${this.#stageFault}
         ></meshbound-stage>
         ${this.drawnOnce ? nothing : this.#poster()}
@@ -618,8 +452,9 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
   }
 
   #progress() {
-    if (!this.#step || !this.#first) return nothing;
-    const width = `width:${100 * overall(this.#step, this.#first)}%`;
+    const { progress } = this.#events;
+    if (progress === null) return nothing;
+    const width = `width:${100 * progress}%`;
     return html`<div class="progress" part="progress" aria-hidden="true" .style=${width}></div>`;
   }
 
@@ -682,25 +517,13 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
   }
 
   #load(): void {
-    this.#sight?.disconnect();
-    if (this.loading === 'lazy') this.#loadInSight();
+    this.#sight.stop();
+    if (this.loading === 'lazy') this.#sight.wait(this, () => this.#loadNow());
     else this.#loadNow();
   }
 
   #loadNow(): void {
     if (this.src) void this.session.openAddress(this.src);
-  }
-
-  #loadInSight(): void {
-    this.#sight = new IntersectionObserver(
-      (entries, observer) => {
-        if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
-        observer.disconnect();
-        this.#loadNow();
-      },
-      { rootMargin: lazyMargin },
-    );
-    this.#sight.observe(this);
   }
 
   #sessionChanged(): void {
@@ -709,15 +532,10 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
     this.requestUpdate();
     this.#probing.mayCut = now.progress === null;
     if (answerOf(now) !== answerOf(before)) this.#drawn = answerOf(now) === null;
-    if (now.surface && now.surface !== before.surface) {
-      const { name, variables } = now.surface;
-      this.#fire('load', { name, variables: variables.map((variable) => variable.name) });
-    }
+    this.#events.opened(before, now);
     this.#tellProgress();
-    if (now.reduced && now.reduced !== before.reduced) this.#fire('reduce', now.reduced.result.report);
-    for (const { kind, code, text } of now.notices.filter((notice) => !before.notices.includes(notice))) {
-      if (kind === 'error') this.#fire('error', { code, message: text });
-    }
+    this.#events.reduced(before, now);
+    this.#events.failed(before, now);
   }
 
   #levelsChanged(): void {
@@ -726,30 +544,12 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
     if (!nested || !surface) this.#levelView = null;
     else if (this.#levelView?.nested !== nested) this.#levelView = new LevelView(surface, nested);
     this.requestUpdate();
-    this.#tellLevels();
-  }
-
-  #tellLevels(): void {
-    const { nested, position } = this.levels.state;
-    const [toldLevels, toldLevel] = [this.#toldLevels, this.#toldLevel];
-    this.#toldLevels = nested;
-    this.#toldLevel = position;
-    if (nested && nested !== toldLevels)
-      this.#fire(
-        'levels',
-        nested.levels.map(({ report }) => report),
-      );
-    if (position !== toldLevel) this.#fire('level-change', { level: position });
+    this.#events.levels(this.levels.state);
   }
 
   #probeChanged(): void {
     this.requestUpdate();
-    const { probe, pinned, pending } = this.#probing.state;
-    if (!pending) this.#fire('probe', { probe, pinned });
-    const place = (pinned && probe?.original?.position) || null;
-    if (`${place}` === `${this.#toldPin}`) return;
-    this.#toldPin = place;
-    this.#fire('pin', { place });
+    this.#events.probed(this.#probing.state);
   }
 
   #stageShown({ detail }: CustomEvent<Shown>): void {
@@ -773,21 +573,7 @@ export class MeshboundViewer extends LitElement implements WantedView, WantedKee
   }
 
   #tellProgress(): void {
-    const step = stepOf(this.session.state, this.#drawn || !this.#drawable);
-    const told = this.#step;
-    this.#step = step;
-    if (step) {
-      this.#first ??= step.phase;
-      if (told?.phase === step.phase && told.progress === step.progress) return;
-      this.#fire('progress', { phase: step.phase, progress: overall(step, this.#first) });
-    } else if (this.#first) {
-      this.#first = null;
-      if (told?.phase === 'draw') this.#fire('progress', { phase: 'draw', progress: 1 });
-    }
-  }
-
-  #fire(name: string, detail: unknown): void {
-    this.dispatchEvent(new CustomEvent(name, { detail }));
+    this.#events.progressed(stepOf(this.session.state, this.#drawn || !this.#drawable));
   }
 }
 
