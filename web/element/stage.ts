@@ -1,13 +1,5 @@
 import { html, LitElement, nothing } from 'lit';
 import type { Mesh } from '../../wasm/types.ts';
-import {
-  aboveBoundColour,
-  aboveRangeColour,
-  belowRangeColour,
-  type Colour,
-  colourTable,
-  missingColour,
-} from '../colour/colormaps.ts';
 import type { Multiplied } from '../probe/multiplied.ts';
 import type { Side } from '../probe/probe.ts';
 import { type Keeping, nothingKept } from '../session/keeping.ts';
@@ -15,24 +7,25 @@ import type { OpenSurface } from '../session/open-surface.ts';
 import { nothingProbed, type ProbeState } from '../session/probing.ts';
 import { type Frame, frameOf } from '../viewer/frame.ts';
 import { chooseLevel } from '../viewer/level-choice.ts';
-import { type CameraPlace, parsePlaces, placesText, type ViewDirection } from '../viewer/linked-cameras.ts';
+import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import { parseClip } from '../viewer/look.ts';
-import type { ShownColour } from '../viewer/lookup-material.ts';
 import { carriedOver, type MorphCorners } from '../viewer/morph-corners.ts';
 import type { MorphSource } from '../viewer/prepare-morph.ts';
 import { Viewer } from '../viewer/viewer.ts';
-import { type Colouring, type Meaning, valueColouring } from './colouring.ts';
+import type { Colouring, Meaning } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
-import { originalErrors, reducedErrors, unknownErrors } from './error-colouring.ts';
 import './legend.ts';
-import { drawLegend } from './legend-picture.ts';
 import type { LevelStep, LevelView, MorphStep } from './level-view.ts';
-import { countText } from './number-text.ts';
 import { isProvisional } from './promise-words.ts';
 import './probe-layer.ts';
 import { english } from '../words/english.ts';
 import type { ProbeLayer } from './probe-layer.ts';
+import { StageCamera } from './stage-camera.ts';
+import { originalCaption, reducedCaption } from './stage-captions.ts';
+import { lookupOf, originalColouring, reducedColouring } from './stage-colours.ts';
+import { StageDivider } from './stage-divider.ts';
 import { StageOutlines } from './stage-outlines.ts';
+import { type PlacedLegend, stagePicture } from './stage-picture.ts';
 import { type ProbedStage, StageProbe } from './stage-probe.ts';
 import { stageStyle } from './stage-style.ts';
 import { firstView, type ViewSettings } from './view-settings.ts';
@@ -40,9 +33,6 @@ import { firstView, type ViewSettings } from './view-settings.ts';
 const sides = ['original', 'reduced'] as const;
 const original = 0;
 const reduced = 1;
-
-/** How far a press of a key moves the divider. */
-const dividerStep = 0.02;
 
 /**
  * The original and the reduced surface side by side, with their legends. A side shows its last surface until the next is
@@ -69,7 +59,6 @@ export class Stage extends LitElement {
     reducing: { type: Boolean },
     probe: { attribute: false },
     meanings: { state: true },
-    divider: { state: true },
   };
 
   static override styles = [controlsStyle, stageStyle];
@@ -90,15 +79,11 @@ export class Stage extends LitElement {
   /** What the colours of each side mean. */
   declare meanings: (Meaning | null)[];
 
-  /** Where the divider stands, 0…1 from the left. */
-  declare divider: number;
-
   #viewer: Viewer | null = null;
-  /** Where the camera is to stand when a surface comes, or both of them; null fits it into view. */
-  #places: CameraPlace[] | null = null;
-  /** Whether the cameras are still to be put there: not before it is known whether they are linked. */
-  #placesDue = false;
-  #toldCamera: string | null = null;
+  #camera = new StageCamera();
+  #divider = new StageDivider(this, () => {
+    if (this.#viewer) this.#viewer.divider = this.#divider.place;
+  });
   #frame: Frame = { centre: [0, 0, 0], radius: 1 };
   /** What each side has drawn. */
   #drawn: (Mesh | MorphSource | null)[] = [null, null];
@@ -126,14 +111,13 @@ export class Stage extends LitElement {
     this.reducing = false;
     this.probe = nothingProbed;
     this.meanings = [null, null];
-    this.divider = 0.5;
   }
 
   override render() {
     return html`
       <canvas part="canvas" aria-hidden="true"></canvas>
       <div class="panes ${this.settings.view}">${sides.map((_, side) => this.#pane(side))}</div>
-      ${this.settings.view === 'wipe' ? this.#dividerHandle() : nothing}
+      ${this.settings.view === 'wipe' ? this.#divider.handle() : nothing}
       <meshbound-probe-layer
         exportparts="marker, probe"
         .state=${this.probe}
@@ -159,7 +143,7 @@ export class Stage extends LitElement {
       @pointerdown=${(event: PointerEvent) => this.#pointing.press(event)}
       @click=${(event: MouseEvent) => this.#pointing.click(side, event)}
     >
-      <div class="caption" part="caption">${side === original ? this.#originalCaption() : this.#reducedCaption()}</div>
+      <div class="caption" part="caption">${this.#caption(side)}</div>
       ${
         this.meanings[side]
           ? html`<meshbound-legend
@@ -171,59 +155,8 @@ export class Stage extends LitElement {
     </div>`;
   }
 
-  #dividerHandle() {
-    const percent = Math.round(100 * this.divider);
-    return html`<div
-      class="divider"
-      part="divider"
-      role="slider"
-      tabindex="0"
-      aria-label=${english.stage.divider}
-      aria-valuemin="0"
-      aria-valuemax="100"
-      aria-valuenow=${percent}
-      aria-valuetext=${english.stage.dividerAt(percent)}
-      .style=${`left:${100 * this.divider}%`}
-      @pointerdown=${(event: PointerEvent) => (event.target as Element).setPointerCapture(event.pointerId)}
-      @pointermove=${this.#dragDivider}
-      @keydown=${this.#pressDivider}
-    ></div>`;
-  }
-
-  #dragDivider(event: PointerEvent): void {
-    if (!(event.target as Element).hasPointerCapture(event.pointerId)) return;
-    const { left, width } = this.getBoundingClientRect();
-    this.#divideAt((event.clientX - left) / width);
-  }
-
-  #pressDivider(event: KeyboardEvent): void {
-    const steps: Record<string, number> = { ArrowLeft: -dividerStep, ArrowRight: dividerStep, Home: -1, End: 1 };
-    if (!(event.key in steps)) return;
-    event.preventDefault();
-    this.#divideAt(this.divider + steps[event.key]);
-  }
-
-  #divideAt(share: number): void {
-    this.divider = Math.min(1, Math.max(0, share));
-    if (this.#viewer) this.#viewer.divider = this.divider;
-  }
-
-  #originalCaption() {
-    if (!this.surface) return html`<span class="soft">${english.stage.original}</span>`;
-    const count = this.surface.mesh.triangles.length / 3;
-    return html`${english.stage.original} <b>${countText(count)}</b> ${english.triangles(count)}`;
-  }
-
-  #reducedCaption() {
-    if (!this.result)
-      return html`<span class="soft">${this.reducing ? english.stage.reducing : english.stage.notReduced}</span>`;
-    const step = this.#step();
-    if (step && 'morph' in step) return html`${english.stage.onTheWay} <b>${step.from + 1}</b>`;
-    if (step?.level === 0) return html`${english.stage.levelZero}`;
-    const result = step?.result ?? this.result;
-    const count = result.report.triangles.after;
-    const mark = isProvisional(result.report) ? html`, <i>${english.stage.provisional}</i>` : nothing;
-    return html`${step ? english.stage.level(step.level) : english.stage.reduced} <b>${countText(count)}</b> ${english.triangles(count)}${mark}`;
+  #caption(side: number) {
+    return side === original ? originalCaption(this.surface) : reducedCaption(this.result, this.#step(), this.reducing);
   }
 
   override firstUpdated(): void {
@@ -255,7 +188,7 @@ export class Stage extends LitElement {
       this.#viewer.addEventListener('draw', () => this.#tellCamera());
       this.#viewer.addEventListener('draw', () => this.#mark());
     } catch {
-      this.dispatchEvent(new CustomEvent('stage-fault', { detail: english.faults.noWebGl }));
+      this.#tell('stage-fault', english.faults.noWebGl);
     }
   }
 
@@ -265,7 +198,7 @@ export class Stage extends LitElement {
     if (['surface', 'result', 'levels', 'position'].some((each) => changed.has(each))) this.#showReduced();
     if (changed.has('keeping')) this.#outline(original);
     if (changed.has('settings')) this.#applySettings(this.#viewer);
-    if (changed.has('surface') || this.#placesDue) this.#applyPlaces(this.#viewer);
+    if (changed.has('surface') || this.#camera.isDue) this.#camera.apply(this.#viewer.cameras);
     if (changed.has('levels') || changed.has('pixels')) this.#chooseLevel();
     if (changed.has('probe')) this.#mark();
   }
@@ -273,7 +206,7 @@ export class Stage extends LitElement {
   #showAll(): void {
     if (!this.#viewer) return;
     this.#applySettings(this.#viewer);
-    this.#applyPlaces(this.#viewer);
+    this.#camera.apply(this.#viewer.cameras);
     this.#showOriginal();
     this.#showReduced();
   }
@@ -294,15 +227,11 @@ export class Stage extends LitElement {
 
   /** Where the camera stands, or both of them, as text; null where everything is fitted into view. */
   get camera(): string | null {
-    const cameras = this.#viewer?.cameras;
-    if (this.#placesDue) return this.#places && placesText(this.#places);
-    if (!cameras || cameras.fitted) return null;
-    return placesText((cameras.linked ? [original] : [original, reduced]).map((side) => cameras.place(side)));
+    return this.#camera.text(this.#viewer?.cameras);
   }
 
   set camera(text: string | null) {
-    this.#places = text === null ? null : parsePlaces(text);
-    this.#placesDue = true;
+    this.#camera.want(text);
     this.requestUpdate();
   }
 
@@ -310,44 +239,30 @@ export class Stage extends LitElement {
   async picture({ legends }: { legends: boolean }): Promise<Blob | null> {
     const drawn = await this.#viewer?.picture();
     if (!drawn) return null;
-    const surfaces = await createImageBitmap(drawn);
-    const canvas = document.createElement('canvas');
-    [canvas.width, canvas.height] = [surfaces.width, surfaces.height];
-    const context = canvas.getContext('2d') as CanvasRenderingContext2D;
-    context.fillStyle = getComputedStyle(this).backgroundColor;
-    context.fillRect(0, 0, canvas.width, canvas.height);
-    context.drawImage(surfaces, 0, 0);
-    if (legends) this.#drawLegends(context, surfaces.width / this.clientWidth);
-    return new Promise((resolve) => canvas.toBlob(resolve));
-  }
-
-  #drawLegends(context: CanvasRenderingContext2D, scale: number): void {
-    context.scale(scale, scale);
-    const ink = getComputedStyle(this).color;
-    const stage = this.getBoundingClientRect();
-    sides.forEach((side, index) => {
-      const meaning = this.meanings[index];
-      const pane = this.renderRoot.querySelector(`#${side}`)?.getBoundingClientRect();
-      // One over the other they have one legend.
-      if (!meaning || !pane?.width || (this.settings.view === 'wipe' && index === reduced)) return;
-      const [left, bottom] = [pane.left - stage.left, pane.bottom - stage.top].map(Math.round);
-      drawLegend(context, meaning, { left, bottom, ink });
+    const { backgroundColor: background, color: ink } = getComputedStyle(this);
+    return stagePicture(drawn, {
+      width: this.clientWidth,
+      background,
+      ink,
+      legends: legends ? this.#placedLegends() : [],
     });
   }
 
-  #applyPlaces({ cameras }: Viewer): void {
-    this.#placesDue = false;
-    cameras.fit();
-    const [first, second = first] = this.#places ?? [];
-    if (first) cameras.setPlace(original, first);
-    if (second && !cameras.linked) cameras.setPlace(reduced, second);
+  #placedLegends(): PlacedLegend[] {
+    const stage = this.getBoundingClientRect();
+    return sides.flatMap((side, index) => {
+      const meaning = this.meanings[index];
+      const pane = this.renderRoot.querySelector(`#${side}`)?.getBoundingClientRect();
+      // One over the other they have one legend.
+      if (!meaning || !pane?.width || (this.settings.view === 'wipe' && index === reduced)) return [];
+      const [left, bottom] = [pane.left - stage.left, pane.bottom - stage.top].map(Math.round);
+      return [{ meaning, left, bottom }];
+    });
   }
 
   #tellCamera(): void {
     const { camera } = this;
-    if (camera === this.#toldCamera) return;
-    this.#toldCamera = camera;
-    this.dispatchEvent(new CustomEvent('stage-camera', { detail: camera }));
+    if (this.#camera.isNew(camera)) this.#tell('stage-camera', camera);
   }
 
   #showOriginal(): void {
@@ -392,7 +307,7 @@ export class Stage extends LitElement {
         return stage.settings.view;
       },
       get divider() {
-        return stage.divider;
+        return stage.#divider.place;
       },
       meshOf: (side: Side) =>
         side === 'original' ? stage.#toldShown.mesh : (stage.#toldShown.reduction?.mesh ?? null),
@@ -454,7 +369,7 @@ export class Stage extends LitElement {
     if (!this.#viewer || !this.levels || this.pixels === null) return;
     const pixelsPerUnit = this.#viewer.pixelsPerRadius(reduced) / this.#frame.radius;
     const level = chooseLevel(this.levels.errors, pixelsPerUnit, this.pixels, Math.round(this.position));
-    if (level !== this.position) this.dispatchEvent(new CustomEvent('level-wanted', { detail: level }));
+    if (level !== this.position) this.#tell('level-wanted', level);
   };
 
   /** What is to be shown of the levels; null where there are none. */
@@ -486,7 +401,7 @@ export class Stage extends LitElement {
     const { edges, flat, doubleSided, orthographic, clip, view } = this.settings;
     viewer.look = { edges, shading: flat ? 'flat' : 'smooth', doubleSided, clip: parseClip(clip) };
     viewer.cameras.projection = orthographic ? 'orthographic' : 'perspective';
-    viewer.divider = view === 'wipe' ? this.divider : null;
+    viewer.divider = view === 'wipe' ? this.#divider.place : null;
     for (const side of [original, reduced]) this.#repaint(side);
   }
 
@@ -516,13 +431,7 @@ export class Stage extends LitElement {
     const meaning = colouring?.meaning ?? null;
     this.meanings = this.meanings.map((old, index) => (index === side ? meaning : old));
     if (!colouring || !meaning) return new Float32Array();
-    this.#viewer?.setLookup(side, {
-      table: colourTable(meaning.map),
-      markAbove: meaning.quantity !== 'value' || meaning.beyond?.above === true,
-      above: shown(meaning.quantity === 'value' ? aboveRangeColour : aboveBoundColour),
-      below: meaning.beyond?.below ? shown(belowRangeColour) : undefined,
-      missing: shown(missingColour),
-    });
+    this.#viewer?.setLookup(side, lookupOf(meaning));
     return colouring.places;
   }
 
@@ -545,16 +454,11 @@ export class Stage extends LitElement {
       return this.levels.colouring(step.level, this.settings);
     }
     const mesh = this.#drawn[side] as Mesh | null;
-    const [surface, result] = [this.surface, side === original ? this.#exactResult : this.#drawnResult];
+    const { surface, settings } = this;
     if (!mesh || !surface) return null;
-    if (this.settings.quantity === 'value' || !result) return valueColouring(mesh, surface, this.settings);
-    if (side === reduced) return reducedErrors(result, surface.labels, this.settings);
-    return originalErrors(mesh, result, surface.labels, this.settings) ?? this.#valuesInstead(mesh, surface);
-  }
-
-  #valuesInstead(mesh: Mesh, surface: OpenSurface): Colouring {
-    const { places, meaning } = valueColouring(mesh, surface, this.settings);
-    return { places, meaning: { ...meaning, detail: unknownErrors } };
+    return side === original
+      ? originalColouring(mesh, surface, this.#exactResult, settings)
+      : reducedColouring(mesh, surface, this.#drawnResult, settings);
   }
 
   #pressKey(side: number, event: KeyboardEvent): void {
@@ -568,10 +472,6 @@ export class Stage extends LitElement {
 export interface Shown {
   mesh: Mesh | null;
   reduction: Multiplied | null;
-}
-
-function shown([red, green, blue]: Colour): ShownColour {
-  return [red / 255, green / 255, blue / 255];
 }
 
 customElements.define('meshbound-stage', Stage);
