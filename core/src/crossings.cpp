@@ -1,12 +1,11 @@
 #include "crossings.hpp"
 
 #include <new>
-#include <utility>
 
 namespace meshbound {
 namespace {
 
-/// Places that a supply gets at a time; a fraction of a block. Few would have threads wait for each other, many would lie idle.
+/// Places that a supply gets at a time; they divide a block. Few would have threads wait for each other, many would lie idle.
 constexpr std::uint32_t places_at_once = 256;
 
 } // namespace
@@ -42,30 +41,27 @@ void Crossings::link(std::uint32_t original, std::uint32_t before, std::uint32_t
 
 void Crossings::refill(Supply& supply) {
     const std::lock_guard lock(mutex_);
-    if (returned_ != no_index) {
-        std::swap(supply.unused_, returned_);
+    if (!returned_.empty()) {
+        supply.unused_ = returned_.back();
+        returned_.pop_back();
         return;
     }
-    if (size_ > no_index - 2 * places_at_once) throw std::bad_alloc();
-    const std::uint64_t place = std::uint64_t{size_} + (std::uint64_t{1} << first_block_bits);
-    if (std::has_single_bit(place)) // the first of its block
-        blocks_[static_cast<std::size_t>(std::bit_width(place) - 1 - first_block_bits)].reset(new Crossing[place]);
+    const std::uint32_t block = size_ >> block_bits;
+    if (block == most_blocks) throw std::bad_alloc();
+    if (!blocks_[block]) blocks_[block].reset(new Crossing[block_size]);
     supply.fresh_ = size_;
     supply.end_ = size_ += places_at_once;
 }
 
-/// Chains what is left of a supply before what was given back earlier.
+/// Chains what was never used before the rest of the supply.
 void Crossings::take_back(Supply& supply) {
     for (; supply.fresh_ != supply.end_; ++supply.fresh_) {
         at(supply.fresh_).sibling = supply.unused_;
         supply.unused_ = supply.fresh_;
     }
     if (supply.unused_ == no_index) return;
-    std::uint32_t last = supply.unused_;
-    while (at(last).sibling != no_index) last = at(last).sibling;
     const std::lock_guard lock(mutex_);
-    at(last).sibling = returned_;
-    returned_ = supply.unused_;
+    returned_.push_back(supply.unused_);
 }
 
 } // namespace meshbound

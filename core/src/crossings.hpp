@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <bit>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -31,7 +29,7 @@ struct Crossing {
 /// changed by two of them. Which name a crossing gets is then chance; nothing may depend on it.
 class Crossings {
 public:
-    explicit Crossings(std::size_t edges) : chains_(edges), on_(edges, no_index) {}
+    explicit Crossings(std::size_t edges) : blocks_(most_blocks), chains_(edges), on_(edges, no_index) {}
 
     /// Free places for crossings, of one thread.
     class Supply {
@@ -70,23 +68,20 @@ private:
     struct Chain {
         std::uint32_t first = no_index, last = no_index;
     };
-    /// Blocks of places, each twice as large as the one before, so that places never move while others look at them.
-    static constexpr int first_block_bits = 10, most_blocks = 32 - first_block_bits;
+    /// Blocks of places, so that places never move while others look at them. As many as there may ever be: 500 million
+    /// places, of which a surface takes about one for each of its triangles.
+    static constexpr std::uint32_t block_bits = 15, block_size = 1 << block_bits, most_blocks = 1 << 14;
 
-    Crossing& at(std::uint32_t id) const {
-        const std::uint64_t place = std::uint64_t{id} + (std::uint64_t{1} << first_block_bits);
-        const int bits = std::bit_width(place) - 1;
-        return blocks_[static_cast<std::size_t>(bits - first_block_bits)][place - (std::uint64_t{1} << bits)];
-    }
+    Crossing& at(std::uint32_t id) const { return blocks_[id >> block_bits][id % block_size]; }
     void refill(Supply& supply);
     void take_back(Supply& supply);
 
-    std::array<std::unique_ptr<Crossing[]>, most_blocks> blocks_;
-    std::vector<Chain> chains_;         // by original edge
-    std::vector<std::uint32_t> on_;     // by current edge
-    std::mutex mutex_;                  // of what follows
-    std::uint32_t size_ = 0;            // places that were handed out
-    std::uint32_t returned_ = no_index; // given back, chained by sibling
+    std::vector<std::unique_ptr<Crossing[]>> blocks_;
+    std::vector<Chain> chains_;           // by original edge
+    std::vector<std::uint32_t> on_;       // by current edge
+    std::mutex mutex_;                    // of what follows
+    std::uint32_t size_ = 0;              // places that were handed out
+    std::vector<std::uint32_t> returned_; // chains of places that were given back, each by its first
 };
 
 } // namespace meshbound

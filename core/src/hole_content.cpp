@@ -91,29 +91,19 @@ void HoleContent::unmark(const Hole& hole) {
     for (const InnerVertex& inner : vertices_) position_[inner.vertex] = 0;
 }
 
-PieceEnd HoleContent::end_at_vertex(std::uint32_t vertex, double s) const {
-    const int position = position_[vertex];
-    PieceEnd end;
-    end.s = s;
-    if (position > 0) end.ring = position - 1;
-    else end.inner = -1 - position;
-    return end;
-}
-
 PieceEnd HoleContent::end_at_rim(const Crossings& crossings, std::uint32_t id) const {
-    PieceEnd end;
-    end.rim = role_[crossings[id].current] - 1;
-    end.crossing = id;
-    end.s = crossings[id].s;
-    return end;
+    return {role_[crossings[id].current] - 1, id};
 }
 
 /// Along an original edge over the crossings with spokes, which vanish: to the next crossing with a rim, or to no_index at
 /// the end of the original edge.
-std::uint32_t HoleContent::walk(const Crossings& crossings, std::uint32_t from, bool forward) const {
+inline std::uint32_t HoleContent::walk(const Crossings& crossings, std::uint32_t from, bool forward) const {
     std::uint32_t id = from;
-    while (id != no_index && role_[crossings[id].current] == spoke_role)
-        id = forward ? crossings[id].next : crossings[id].previous;
+    while (id != no_index) {
+        const Crossing& crossing = crossings[id];
+        if (role_[crossing.current] != spoke_role) break;
+        id = forward ? crossing.next : crossing.previous;
+    }
     return id;
 }
 
@@ -128,26 +118,27 @@ void HoleContent::add_rim_pieces(const OriginalEdges& edges, const Crossings& cr
             const std::uint32_t end = walk(crossings, crossing.next, true);
             pieces_.push_back(
                 {crossing.original, end_at_rim(crossings, id),
-                 end == no_index ? end_at_vertex(edges.upper(crossing.original), 1) : end_at_rim(crossings, end)});
+                 end == no_index ? end_at_vertex(edges.upper(crossing.original)) : end_at_rim(crossings, end)});
         } else if (walk(crossings, crossing.previous, false) == no_index) {
             pieces_.push_back(
-                {crossing.original, end_at_vertex(edges.lower(crossing.original), 0), end_at_rim(crossings, id)});
+                {crossing.original, end_at_vertex(edges.lower(crossing.original)), end_at_rim(crossings, id)});
         }
     }
 }
 
 /// Whole original edges from this inner vertex to another inner vertex or to the ring.
-void HoleContent::add_vertex_pieces(const OriginalEdges& edges, const Crossings& crossings, const InnerVertex& inner) {
-    for (const auto& [edge, end] : edges.at(inner.vertex)) {
+void HoleContent::add_vertex_pieces(const OriginalEdges& edges, const Crossings& crossings, std::uint32_t vertex) {
+    const PieceEnd here = end_at_vertex(vertex);
+    for (const auto& [edge, end] : edges.at(vertex)) {
         const int position = position_[end];
         if (position == 0) continue; // leaves the hole by a rim: found there
-        const bool from_lower = inner.vertex < end;
+        const bool from_lower = vertex < end;
         if (!from_lower && position < 0) continue; // found from its lower end
         const std::uint32_t id = from_lower ? crossings.first(edge) : crossings.last(edge);
         if (walk(crossings, id, from_lower) != no_index) continue; // reaches a rim: found there
-        const PieceEnd here = end_at_vertex(inner.vertex, from_lower ? 0 : 1);
-        const PieceEnd there = end_at_vertex(end, from_lower ? 1 : 0);
-        pieces_.push_back(from_lower ? Piece{edge, here, there} : Piece{edge, there, here});
+        const PieceEnd there{position};
+        const bool crosses = id != no_index;
+        pieces_.push_back(from_lower ? Piece{edge, here, there, crosses} : Piece{edge, there, here, crosses});
     }
 }
 
@@ -158,7 +149,7 @@ void HoleContent::add_spoke_pieces(const OriginalEdges& edges, const Crossings& 
         const std::uint32_t edge = crossings[id].original;
         if (position_[edges.lower(edge)] <= 0 || position_[edges.upper(edge)] <= 0) continue;
         if (walk(crossings, crossings[id].next, true) != no_index) continue; // reaches a rim: found there
-        pieces_.push_back({edge, end_at_vertex(edges.lower(edge), 0), end_at_vertex(edges.upper(edge), 1)});
+        pieces_.push_back({edge, end_at_vertex(edges.lower(edge)), end_at_vertex(edges.upper(edge))});
     }
 }
 
@@ -169,7 +160,7 @@ void HoleContent::find_pieces(const OriginalEdges& edges, const Crossings& cross
     mark(hole);
     for (int rim = 0; rim < hole.sectors(); ++rim) add_rim_pieces(edges, crossings, hole, rim);
     for (const InnerVertex& inner : vertices_) edges.fetch_spokes(inner.vertex);
-    for (const InnerVertex& inner : vertices_) add_vertex_pieces(edges, crossings, inner);
+    for (const InnerVertex& inner : vertices_) add_vertex_pieces(edges, crossings, inner.vertex);
     for (const std::uint32_t spoke : hole.spoke_edges) add_spoke_pieces(edges, crossings, spoke);
     unmark(hole);
 }

@@ -29,19 +29,25 @@ struct InnerVertex {
     bool settled = false; ///< of Host::closing: the share was agreed on with other sheets
 };
 
-/// The end of a piece: a ring vertex, a crossing on a rim, or an inner vertex.
+/// The end of a piece: a crossing on a rim, or a ring vertex or an inner vertex where the original edge ends, too. Small, since
+/// a hole may have thousands of them.
 struct PieceEnd {
-    int ring = -1;                     ///< ring position, or -1
-    int rim = -1;                      ///< rim, or -1
-    int inner = -1;                    ///< index of the inner vertex, or -1
-    std::uint32_t crossing = no_index; ///< the crossing on the rim; no_index: an end of the original edge
-    double s = 0;                      ///< along the original edge
+    int place = 0; ///< the rim; of a vertex 1 + its ring position, or -(1 + index of the inner vertex)
+    std::uint32_t crossing = no_index; ///< on the rim; no_index: a vertex
+
+    bool is_crossing() const { return crossing != no_index; }
+    bool is_inner() const { return place < 0; }
+    int rim() const { return place; }
+    int inner() const { return -1 - place; }
+    /// Of a ring vertex its position, else -1.
+    int ring() const { return is_crossing() || is_inner() ? -1 : place - 1; }
 };
 
 /// A part of an original edge inside the hole, between places that remain when the spokes vanish.
 struct Piece {
     std::uint32_t original = no_index;
-    PieceEnd start, end; // s rising
+    PieceEnd start, end; ///< s rising
+    bool crosses = true; ///< any current edge, spokes included; most pieces of a large hole do not
 };
 
 /// What the map has in a hole: every original vertex and every piece of an original edge that lies in it (design: tracked).
@@ -66,18 +72,18 @@ private:
     void add_rim(const Residents& residents, const Hole& hole, int rim);
     void mark(const Hole& hole);
     void unmark(const Hole& hole);
-    PieceEnd end_at_vertex(std::uint32_t vertex, double s) const;
+    PieceEnd end_at_vertex(std::uint32_t vertex) const { return {position_[vertex]}; }
     PieceEnd end_at_rim(const Crossings& crossings, std::uint32_t id) const;
     std::uint32_t walk(const Crossings& crossings, std::uint32_t from, bool forward) const;
     void add_rim_pieces(const OriginalEdges& edges, const Crossings& crossings, const Hole& hole, int rim);
-    void add_vertex_pieces(const OriginalEdges& edges, const Crossings& crossings, const InnerVertex& inner);
+    void add_vertex_pieces(const OriginalEdges& edges, const Crossings& crossings, std::uint32_t vertex);
     void add_spoke_pieces(const OriginalEdges& edges, const Crossings& crossings, std::uint32_t spoke_edge);
 
     std::vector<InnerVertex> vertices_;
     std::vector<Piece> pieces_;
     bool pieces_found_ = false;
     std::vector<std::int8_t> role_; // by edge: 0 elsewhere, 1 + rim (largest_ring is small), or -1 of a spoke
-    std::vector<int> position_;     // by vertex: 0 elsewhere, 1 + ring position, or -(1 + inner vertex)
+    std::vector<int> position_;     // by vertex: 0 elsewhere, else as in PieceEnd::place
 };
 
 } // namespace meshbound

@@ -1,5 +1,7 @@
 #include "hole_products.hpp"
 
+#include <algorithm>
+
 #include "indexing.hpp"
 
 namespace meshbound {
@@ -16,16 +18,18 @@ void HoleProducts::enter(const Hole& hole, const std::vector<InnerVertex>& inner
     size_ = hole.size();
     const int lanes = rows_->lanes();
     const double* centre = (*rows_)[hole.candidate];
+    ring_rows_.clear();
+    for (const std::uint32_t vertex : hole.ring) ring_rows_.push_back((*rows_)[vertex]);
     local_.resize(at(size_ * lanes));
     for (int i = 0; i < size_; ++i) {
-        const double* row = (*rows_)[hole.ring[at(i)]];
+        const double* row = ring_row(i);
         for (int n = 0; n < lanes; ++n)
             local_[at(i * lanes + n)] = MeasuredRows::lane(row, n) - MeasuredRows::lane(centre, n);
     }
     ring_.resize(at(size_ * size_));
     for (int i = 0; i < size_; ++i)
         for (int j = 0; j <= i; ++j) ring_[at(i * size_ + j)] = ring_[at(j * size_ + i)] = dot(local(i), local(j));
-    along_.resize(inner.size() * at(size_ + 1));
+    along_.resize(std::max(along_.size(), inner.size() * at(size_ + 1))); // never less: growing would clear it
     known_.assign(inner.size(), 0);
 }
 

@@ -21,6 +21,9 @@ public:
 
     int size() const { return size_; }
 
+    /// The row of a ring position.
+    const double* ring_row(int i) const { return ring_rows_[static_cast<std::size_t>(i)]; }
+
     /// Of the rows of ring positions i and j.
     double ring(int i, int j) const { return ring_[static_cast<std::size_t>(i * size_ + j)]; }
 
@@ -37,6 +40,7 @@ private:
     const Hole* hole_ = nullptr;
     const std::vector<InnerVertex>* inner_ = nullptr;
     int size_ = 0;
+    std::vector<const double*> ring_rows_;
     std::vector<Lane> local_;   // [i * lanes + lane]: ring rows less the candidate's
     std::vector<Lane> vertex_;  // scratch: one row less the candidate's
     std::vector<double> ring_;  // [i * size + j]

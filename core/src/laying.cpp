@@ -18,9 +18,9 @@ constexpr double least_gap = 1e-12;
 
 auto Laying::difference(const Piece& piece, const NewCrossing& crossing) const {
     const NewTriangle& triangle = tree_->triangle(crossing.triangle);
-    return MeasuredRows::segment_difference(
-        rows_[map_.edges.lower(piece.original)], rows_[map_.edges.upper(piece.original)], crossing.s,
-        rows_[hole_->ring[at(triangle.a)]], rows_[hole_->ring[at(triangle.b)]], crossing.t);
+    return MeasuredRows::segment_difference(rows_[map_.edges.lower(piece.original)],
+                                            rows_[map_.edges.upper(piece.original)], crossing.s,
+                                            products_.ring_row(triangle.a), products_.ring_row(triangle.b), crossing.t);
 }
 
 double Laying::error(const Piece& piece, const NewCrossing& crossing) const {
@@ -37,39 +37,40 @@ bool Laying::lay(const Hole& hole, HoleTree& tree, const Settling& settling, con
     begin_.clear();
     for (const Piece& piece : pieces) {
         begin_.push_back(crossings_.size());
-        if (!lay_piece(piece, worst)) return false;
+        const int from = triangle_at(piece.start), to = triangle_at(piece.end);
+        if (from != to && !lay_piece(piece, from, to, worst)) return false;
     }
     begin_.push_back(crossings_.size());
     return true;
 }
 
-/// The triangle at which a piece may begin or end. Of a ring vertex any of its triangles serves.
-int Laying::triangle_at(const PieceEnd& end) const {
-    if (end.rim >= 0) return tree_->at_rim(end.rim);
-    if (end.inner >= 0) return settling_->settlements()[at(end.inner)].triangle;
-    return tree_->at_rim(end.ring);
-}
-
 glm::dvec2 Laying::place_of(const PieceEnd& end) const {
-    if (end.inner >= 0) return settling_->places()[at(end.inner)];
-    if (end.ring >= 0) return hole_->places[at(end.ring)];
-    const int i = end.rim, j = hole_->after(end.rim);
+    if (end.is_inner()) return settling_->places()[at(end.inner())];
+    if (!end.is_crossing()) return hole_->places[at(end.ring())];
+    const int i = end.rim(), j = hole_->after(i);
     const double t = map_.crossings[end.crossing].t;
     const double along = hole_->ring[at(i)] < hole_->ring[at(j)] ? t : 1 - t;
     return hole_->places[at(i)] + along * (hole_->places[at(j)] - hole_->places[at(i)]);
 }
 
-bool Laying::lay_piece(const Piece& piece, WorstError& worst) {
-    const int from = triangle_at(piece.start), to = triangle_at(piece.end);
-    if (from == to) return true;
+/// Along the original edge, which a piece that begins at no crossing begins with.
+double Laying::start_of(const Piece& piece) const {
+    return piece.start.is_crossing() ? map_.crossings[piece.start.crossing].s : 0;
+}
+
+double Laying::end_of(const Piece& piece) const {
+    return piece.end.is_crossing() ? map_.crossings[piece.end.crossing].s : 1;
+}
+
+bool Laying::lay_piece(const Piece& piece, int from, int to, WorstError& worst) {
     const std::size_t first = crossings_.size();
-    for (const HoleTree::Step& step : tree_->way(from, piece.start.ring, to, piece.end.ring))
+    for (const HoleTree::Step& step : tree_->way(from, piece.start.ring(), to, piece.end.ring()))
         crossings_.push_back({step.triangle, 0, 0, step.into});
     cross_straight(piece, first);
     for (std::size_t n = first; n < crossings_.size(); ++n) {
         double here = error(piece, crossings_[n]);
         if (choose_crossings_ && here > worst.squared_content()) choose(piece, first, n, worst.squared_content(), here);
-        if (!worst.take(here, difference(piece, crossings_[n]))) return false;
+        if (!worst.take(here, [&] { return difference(piece, crossings_[n]); })) return false;
     }
     return true;
 }
@@ -80,6 +81,7 @@ bool Laying::lay_piece(const Piece& piece, WorstError& worst) {
 void Laying::cross_straight(const Piece& piece, std::size_t first) {
     if (first == crossings_.size()) return;
     const glm::dvec2 start = place_of(piece.start), direction = place_of(piece.end) - start;
+    const double from = start_of(piece), to = end_of(piece);
     double reached = 0;
     for (std::size_t n = first; n < crossings_.size(); ++n) {
         NewCrossing& crossing = crossings_[n];
@@ -91,20 +93,20 @@ void Laying::cross_straight(const Piece& piece, std::size_t first) {
         const double low = reached + least_gap * (1 - reached), high = 1 - least_gap * (1 - low);
         reached = clamped(meeting, low, high);
         crossing.t = clamped(glm::dot(start + reached * direction - a, along) / glm::dot(along, along), 0, 1);
-        crossing.s = piece.start.s + reached * (piece.end.s - piece.start.s);
+        crossing.s = from + reached * (to - from);
     }
 }
 
 /// The freedom of Φ: s may be anywhere between its neighbours on the original edge, t anywhere on the diagonal.
 void Laying::choose(const Piece& piece, std::size_t first, std::size_t n, double squared_content, double& error) {
     NewCrossing& crossing = crossings_[n];
-    const double before = n == first ? piece.start.s : crossings_[n - 1].s;
-    const double behind = n + 1 == crossings_.size() ? piece.end.s : crossings_[n + 1].s;
+    const double before = n == first ? start_of(piece) : crossings_[n - 1].s;
+    const double behind = n + 1 == crossings_.size() ? end_of(piece) : crossings_[n + 1].s;
     const double low = std::min(crossing.s, before + least_gap * (behind - before));
     const double high = std::max(crossing.s, behind - least_gap * (behind - before));
     const JointSegment original{rows_[map_.edges.lower(piece.original)], rows_[map_.edges.upper(piece.original)]};
     const NewTriangle& triangle = tree_->triangle(crossing.triangle);
-    const JointSegment diagonal{rows_[hole_->ring[at(triangle.a)]], rows_[hole_->ring[at(triangle.b)]]};
+    const JointSegment diagonal{products_.ring_row(triangle.a), products_.ring_row(triangle.b)};
     const auto nearest = [&](const PlaneProducts& products) { return nearest_parameters(products, low, high); };
     take_better(piece, nearest(products_of(rows_, original, diagonal)), crossing, error);
     if (error <= squared_content) return;

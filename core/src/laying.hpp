@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hole_content.hpp"
+#include "hole_products.hpp"
 #include "hole_tree.hpp"
 #include "joint_space.hpp"
 #include "measured_rows.hpp"
@@ -24,8 +25,8 @@ struct NewCrossing {
 /// that of its end, straight in the layout or, where the error is too high there and the map is free, where it is smallest.
 class Laying {
 public:
-    Laying(const MeasuredRows& rows, const TrackedMap& map, bool choose_crossings)
-        : rows_(rows), map_(map), choose_crossings_(choose_crossings), minimax_(rows) {}
+    Laying(const MeasuredRows& rows, const HoleProducts& products, const TrackedMap& map, bool choose_crossings)
+        : rows_(rows), products_(products), map_(map), choose_crossings_(choose_crossings), minimax_(rows) {}
 
     /// Lays all pieces, their inner vertices being settled; false as soon as an error is above the limit.
     bool lay(const Hole& hole, HoleTree& tree, const Settling& settling, const std::vector<Piece>& pieces,
@@ -34,11 +35,18 @@ public:
     /// The crossings of a piece, with s rising: [begin(p), begin(p + 1)) of all.
     const std::vector<NewCrossing>& crossings() const { return crossings_; }
     std::size_t begin(std::size_t piece) const { return begin_[piece]; }
+    bool crosses(std::size_t piece) const { return begin(piece) < begin(piece + 1); }
 
 private:
-    bool lay_piece(const Piece& piece, WorstError& worst);
-    int triangle_at(const PieceEnd& end) const;
+    bool lay_piece(const Piece& piece, int from, int to, WorstError& worst);
+    /// At which a piece may begin or end. Of a ring vertex any of its triangles serves.
+    int triangle_at(const PieceEnd& end) const {
+        return end.is_inner() ? settling_->triangle_of(end.inner())
+                              : tree_->at_rim(end.is_crossing() ? end.rim() : end.ring());
+    }
     glm::dvec2 place_of(const PieceEnd& end) const;
+    double start_of(const Piece& piece) const;
+    double end_of(const Piece& piece) const;
     void cross_straight(const Piece& piece, std::size_t first);
     void choose(const Piece& piece, std::size_t first, std::size_t n, double squared_content, double& error);
     void take_better(const Piece& piece, const glm::dvec2& chosen, NewCrossing& crossing, double& error) const;
@@ -46,6 +54,7 @@ private:
     double error(const Piece& piece, const NewCrossing& crossing) const;
 
     const MeasuredRows& rows_;
+    const HoleProducts& products_;
     const TrackedMap& map_;
     bool choose_crossings_;
     Minimax minimax_;

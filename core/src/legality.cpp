@@ -43,10 +43,8 @@ bool Legality::enter(const Surface& surface, const Rows& rows, const Hole& hole)
     if (surface.has_sites()) find_taken_edges(surface, hole);
     if (touches_own_site(surface, hole)) return false;
     if (hole.open && is_taken(0, hole.size() - 1)) return false; // the closing edge exists: the loop has three edges
-    const glm::dvec3 normal = star_normal(hole);
-    const double length = glm::length(normal);
-    normal_ = length > 0 ? normal / length : normal;
-    least_cosine_ = length > 0 ? least_turn_cosine : 0; // from no direction nothing turns away
+    if (minds_turns_) face(star_normal(hole));
+    find_directions(hole);
     find_neighbours(surface, rows, hole);
     least_bend_cosine_ = std::min(sharpest_bend_cosine, sharpest_bend(hole));
     double squared_size = 0;
@@ -118,6 +116,17 @@ void Legality::take(int i, int j) {
     taken_[at(i * hole_->size() + j)] = taken_[at(j * hole_->size() + i)] = Taken::yes;
 }
 
+void Legality::face(const glm::dvec3& normal) {
+    const double length = glm::length(normal);
+    normal_ = length > 0 ? normal / length : normal;
+    least_cosine_ = length > 0 ? least_turn_cosine : 0; // from no direction nothing turns away
+}
+
+void Legality::find_directions(const Hole& hole) {
+    directions_.clear();
+    for (const std::uint32_t vertex : hole.ring) directions_.push_back(original_.direction(vertex));
+}
+
 void Legality::find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole) {
     neighbours_.assign(at(hole.sectors()), glm::dvec3(0));
     for (int i = 0; i < hole.sectors(); ++i) {
@@ -143,12 +152,9 @@ double Legality::sharpest_bend(const Hole& hole) const {
     return least;
 }
 
-bool Legality::allows_edge(int i, int j) const {
-    const int size = hole_->size();
-    if (j == i + 1 || (i == 0 && j == size - 1)) return true;
-    if (taken_[at(i * size + j)] == Taken::yes) return false;
-    // The candidate of an open hole goes to the closing edge, so every diagonal must leave it on that side.
-    return !hole_->open || orientation(hole_->places[at(i)], hole_->places[at(j)], glm::dvec2(0)) >= 0;
+/// The candidate of an open hole goes to the closing edge, so every diagonal must leave it on that side.
+bool Legality::leaves_candidate(int i, int j) const {
+    return orientation(hole_->places[at(i)], hole_->places[at(j)], glm::dvec2(0)) >= 0;
 }
 
 /// Whether two triangles beside an edge, given by their normals, bend too far there.
@@ -161,10 +167,6 @@ bool Legality::folds_onto_neighbour(const RingTriangle& triangle, int rim) const
     return folds(neighbours_[at(rim)], triangle.normal);
 }
 
-bool Legality::lies_open(int a, int m, int b) const {
-    return orientation(hole_->places[at(a)], hole_->places[at(m)], hole_->places[at(b)]) > least_area_;
-}
-
 bool Legality::allows_triangle(const RingTriangle& triangle) const {
     const auto& [a, m, b, u, v, w, normal, length] = triangle;
     if (minds_turns_ && glm::dot(normal, normal_) < least_cosine_ * length) return false;
@@ -175,16 +177,16 @@ bool Legality::allows_triangle(const RingTriangle& triangle) const {
 }
 
 bool Legality::turns_from_original(const RingTriangle& triangle) const {
+    const auto& [a, m, b, u, v, w, normal, length] = triangle;
+    const glm::dvec3 mean = directions_[at(a)] + directions_[at(m)] + directions_[at(b)];
+    if (!(glm::dot(mean, normal) < 0)) return false; // as almost always; then nothing else is asked
     const std::vector<std::uint32_t>& ring = hole_->ring;
-    return original_.turns({ring[at(triangle.a)], ring[at(triangle.m)], ring[at(triangle.b)]}, triangle.normal,
-                           triangle.length);
+    return original_.turns({ring[at(a)], ring[at(m)], ring[at(b)]}, normal, length);
 }
 
-bool Legality::allows_neighbours(const RingTriangle& triangle, int left, int right) const {
+bool Legality::allows_neighbours(const RingTriangle& triangle, const glm::dvec3* left, const glm::dvec3* right) const {
     if (minds_turns_) return true; // keeping to one normal, they keep to each other
-    const auto& [a, m, b, u, v, w, normal, length] = triangle;
-    return (left < 0 || !folds(normal, RingTriangle(*hole_, a, left, m).normal)) &&
-           (right < 0 || !folds(normal, RingTriangle(*hole_, m, right, b).normal));
+    return (!left || !folds(triangle.normal, *left)) && (!right || !folds(triangle.normal, *right));
 }
 
 } // namespace meshbound

@@ -6,7 +6,9 @@
 #include <glm/vec3.hpp>
 
 #include "hole.hpp"
+#include "indexing.hpp"
 #include "original_normals.hpp"
+#include "plane.hpp"
 #include "ring_triangle.hpp"
 #include "rows.hpp"
 #include "surface.hpp"
@@ -25,27 +27,36 @@ public:
 
     /// Whether the edge between ring positions i < j may be made, as far as is known; neighbours on the ring always have
     /// theirs.
-    bool allows_edge(int i, int j) const;
+    bool allows_edge(int i, int j) const {
+        const int size = hole_->size();
+        if (j == i + 1 || (i == 0 && j == size - 1)) return true;
+        return taken_[at(i * size + j)] != Taken::yes && (!hole_->open || leaves_candidate(i, j));
+    }
 
     /// Whether the diagonals exist nowhere on the surface yet. One that does is not allowed from then on: few retriangulations
     /// have any, so that they are looked for only in those that were chosen.
     bool allows_diagonals(const Retriangulation& retriangulation);
 
     /// Whether a triangle keeps its orientation in the layout: cheap, to be asked before it is looked at in space.
-    bool lies_open(int a, int m, int b) const;
+    bool lies_open(int a, int m, int b) const {
+        return orientation(hole_->places[at(a)], hole_->places[at(m)], hole_->places[at(b)]) > least_area_;
+    }
 
     /// Whether a triangle that lies open may be made, its edges being allowed.
     bool allows_triangle(const RingTriangle& triangle) const;
 
-    /// The same for a triangle whose neighbours across (a, m) and (m, b) have the third corners `left` and `right`; -1 where
-    /// these are rims.
-    bool allows_neighbours(const RingTriangle& triangle, int left, int right) const;
+    /// The same for a triangle whose neighbours across (a, m) and (m, b) have the normals `left` and `right`; none where these
+    /// are rims.
+    bool allows_neighbours(const RingTriangle& triangle, const glm::dvec3* left, const glm::dvec3* right) const;
 
 private:
     bool removable(const Surface& surface, const Hole& hole) const;
     bool touches_own_site(const Surface& surface, const Hole& hole) const;
     void find_taken_edges(const Surface& surface, const Hole& hole);
     void find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole);
+    bool leaves_candidate(int i, int j) const;
+    void face(const glm::dvec3& normal);
+    void find_directions(const Hole& hole);
     void take(int i, int j);
     bool is_taken(int i, int j);
     void see(std::uint32_t site, int i);
@@ -69,6 +80,7 @@ private:
     std::vector<std::uint32_t> sites_; // of the ring
     std::vector<Taken> taken_;         // [i * size + j]: whether the edge exists
     std::vector<glm::dvec3> neighbours_; // by rim: normal of the triangle outside, or zero
+    std::vector<glm::dvec3> directions_; // by ring position: where the original faces
 };
 
 } // namespace meshbound

@@ -21,6 +21,9 @@ public:
     /// The surface is the original still.
     OriginalNormals(const Surface& surface, const Rows& rows);
 
+    /// Where the original faces at a vertex; of any length, the same for all, or zero where it faces nowhere.
+    glm::dvec3 direction(std::uint32_t vertex) const { return glm::dvec3(normals_[vertex]); }
+
     /// Whether a triangle between vertices of the original turns more than a right angle against it, and more than any
     /// triangle that the original has at them. `normal` has the length `length`.
     bool turns(const std::array<std::uint32_t, 3>& corners, const glm::dvec3& normal, double length) const;
@@ -30,7 +33,7 @@ public:
 
 private:
     glm::dvec3 sum(const std::array<std::uint32_t, 3>& corners) const {
-        return glm::dvec3(normals_[corners[0]]) + glm::dvec3(normals_[corners[1]]) + glm::dvec3(normals_[corners[2]]);
+        return direction(corners[0]) + direction(corners[1]) + direction(corners[2]);
     }
 
     /// The least cosine by which an original triangle turns at a vertex.

@@ -17,11 +17,12 @@ constexpr std::array<double, 3> first_shares = {0.5, 0.42, 0.58};
 } // namespace
 
 Patches::Patches(const Rows& rows, const std::vector<std::uint32_t>& vertices, int depth, std::uint32_t shift)
-    : first_leaf_(std::size_t{1} << depth), cuts_(first_leaf_) {
+    : first_leaf_(std::size_t{1} << depth), cuts_(first_leaf_), extents_(2 * first_leaf_) {
     std::vector<glm::dvec3> sample;
     const std::size_t stride = 1 + vertices.size() / (2 * sample_size);
     for (std::size_t i = 0; i < vertices.size(); i += stride) sample.push_back(rows.position(vertices[i]));
     cut(1, sample.begin(), sample.end(), first_shares[shift % first_shares.size()]);
+    find_extents();
 }
 
 /// Cuts across the longest side of the sample's box. What lies on either side follows from the cut's place, not from the
@@ -45,6 +46,16 @@ void Patches::cut(std::size_t node, Sample first, Sample last, double share) {
     const Sample middle = std::partition(first, last, [&](const glm::dvec3& p) { return p[cut.axis] < cut.at; });
     this->cut(2 * node, first, middle, 0.5);
     this->cut(2 * node + 1, middle, last, 0.5);
+}
+
+void Patches::find_extents() {
+    for (std::size_t node = 1; node < first_leaf_; ++node) {
+        const Cut& cut = cuts_[node];
+        Extent &below = extents_[2 * node], &above = extents_[2 * node + 1];
+        below = above = extents_[node];
+        below.high[cut.axis] = std::min(below.high[cut.axis], cut.at); // a cut of nothing may lie outside
+        above.low[cut.axis] = std::max(above.low[cut.axis], cut.at);
+    }
 }
 
 } // namespace meshbound

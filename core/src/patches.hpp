@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "rows.hpp"
 
@@ -28,9 +30,16 @@ public:
         return node - first_leaf_;
     }
 
+    /// Whether that patch is this one: quicker to tell than which one it is.
+    bool holds(std::size_t patch, const glm::dvec3& position) const {
+        const Extent& extent = extents_[first_leaf_ + patch];
+        return glm::all(glm::lessThanEqual(extent.low, position)) && glm::all(glm::lessThan(position, extent.high));
+    }
+
 private:
     using Sample = std::vector<glm::dvec3>::iterator;
     void cut(std::size_t node, Sample first, Sample last, double share);
+    void find_extents();
 
     /// What lies below `at` along the axis is on the one side, the rest on the other.
     struct Cut {
@@ -38,7 +47,13 @@ private:
         int axis = 0;
     };
     std::size_t first_leaf_;
-    std::vector<Cut> cuts_; // by node: the root is 1, below node n are 2n and 2n + 1
+    /// What lies neither below `low` nor at or above `high`, on any axis.
+    struct Extent {
+        glm::dvec3 low{-std::numeric_limits<double>::infinity()}, high{std::numeric_limits<double>::infinity()};
+    };
+    // By node: the root is 1, below node n are 2n and 2n + 1.
+    std::vector<Cut> cuts_;
+    std::vector<Extent> extents_;
 };
 
 } // namespace meshbound

@@ -41,9 +41,10 @@ void Retriangulator::fill(const Hole& hole, const Legality& legality, HoleCost& 
         if (!(shaped < best)) continue; // costs are never negative
         const double total = shaped + cost.triangle(a, m, b, best - shaped);
         if (!(total < best)) continue;
-        if (!legality.allows_neighbours(triangle, middle_[at(a * size + m)], middle_[at(m * size + b)])) continue;
+        if (!legality.allows_neighbours(triangle, normal_across(size, a, m), normal_across(size, m, b))) continue;
         best = total;
         middle_[at(a * size + b)] = m;
+        normal_[at(a * size + b)] = triangle.normal;
     }
 }
 
@@ -51,6 +52,7 @@ void Retriangulator::solve(const Hole& hole, const Legality& legality, HoleCost&
     const int size = hole.size();
     cost_.assign(at(size * size), impossible);
     middle_.assign(at(size * size), -1);
+    normal_.resize(at(size * size));
     for (int a = 0; a + 1 < size; ++a) cost_[at(a * size + a + 1)] = 0;
     for (int span = 2; span < size; ++span) {
         for (int a = 0; a + span < size; ++a) {
@@ -99,14 +101,21 @@ bool Retriangulator::fan(const Hole& hole, Legality& legality, int hub, Retriang
     for (int b = hub + 2; b < size; ++b) middle_[at(hub * size + b)] = b - 1;
     if (hub > 0 && hub < size - 1) middle_[at(size - 1)] = hub;
     unfold(size, best);
-    const auto third = [&](int a, int b) { return middle_[at(a * size + b)]; };
     const auto is_legal = [&](const NewTriangle& triangle) {
         const int a = triangle.a, m = triangle.m, b = triangle.b;
         if (!legality.allows_edge(a, b) || !legality.lies_open(a, m, b)) return false;
         const RingTriangle in_space(hole, a, m, b);
-        return legality.allows_triangle(in_space) && legality.allows_neighbours(in_space, third(a, m), third(m, b));
+        normal_[at(a * size + b)] = in_space.normal;
+        return legality.allows_triangle(in_space) &&
+               legality.allows_neighbours(in_space, normal_across(size, a, m), normal_across(size, m, b));
     };
-    return std::all_of(best.triangles.begin(), best.triangles.end(), is_legal) && legality.allows_diagonals(best);
+    const auto& triangles = best.triangles; // children before parents, whose neighbours they are
+    return std::all_of(triangles.rbegin(), triangles.rend(), is_legal) && legality.allows_diagonals(best);
+}
+
+/// Of the triangle on the other side of (a, b), as it is chosen; none across a rim.
+const glm::dvec3* Retriangulator::normal_across(int size, int a, int b) const {
+    return b == a + 1 ? nullptr : &normal_[at(a * size + b)];
 }
 
 } // namespace meshbound

@@ -31,9 +31,11 @@ private:
     void solve(const Hole& hole, const Legality& legality, HoleCost& cost);
     void fill(const Hole& hole, const Legality& legality, HoleCost& cost, int a, int b);
     void unfold(int size, Retriangulation& best) const;
+    const glm::dvec3* normal_across(int size, int a, int b) const;
 
-    std::vector<double> cost_; // [a * size + b]: cheapest filling of the sub-polygon a … b
-    std::vector<int> middle_;  // the third corner of its triangle on (a, b); -1: none is legal
+    std::vector<double> cost_;       // [a * size + b]: cheapest filling of the sub-polygon a … b
+    std::vector<int> middle_;        // the third corner of its triangle on (a, b); -1: none is legal
+    std::vector<glm::dvec3> normal_; // and the normal of that triangle, where there is one
 };
 
 } // namespace meshbound

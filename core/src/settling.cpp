@@ -9,10 +9,9 @@ namespace meshbound {
 
 auto Settling::difference(const double* row, const Settlement& settlement) const {
     const NewTriangle& triangle = tree_->triangle(settlement.triangle);
-    const auto ring_row = [&](int i) { return rows_[hole_->ring[at(i)]]; };
     const glm::dvec3& w = settlement.weight;
-    return MeasuredRows::blend_difference(row, ring_row(triangle.a), ring_row(triangle.m), ring_row(triangle.b), w.x,
-                                          w.y, w.z);
+    return MeasuredRows::blend_difference(row, products_.ring_row(triangle.a), products_.ring_row(triangle.m),
+                                          products_.ring_row(triangle.b), w.x, w.y, w.z);
 }
 
 double Settling::error(const double* row, const Settlement& settlement) const {
@@ -54,7 +53,7 @@ bool Settling::settle_vertex(std::size_t n, Settlement& settlement, WorstError& 
         free ? choose_place(n, row, settlement, here) : choose_share(row, settlement, here);
     if (choose && scaled() > worst.squared_content())
         free ? choose_place_tightly(n, row, settlement, here) : choose_share_tightly(row, settlement, here);
-    return worst.take(scaled(), difference(row, settlement));
+    return worst.take(scaled(), [&] { return difference(row, settlement); });
 }
 
 /// The new triangle in which an inner vertex lies, down the tree from the root; clamped where it lies in none.
@@ -95,9 +94,8 @@ void Settling::choose_place_tightly(std::size_t n, const double* row, Settlement
         const double limit = rows_.variables() * error;
         if (joints_[i].nearest(along, limit).squared_distance >= limit) continue;
         const NewTriangle& triangle = retriangulation_->triangles[i];
-        minimax_.enter(within({rows_[hole_->ring[at(triangle.a)]], rows_[hole_->ring[at(triangle.m)]],
-                               rows_[hole_->ring[at(triangle.b)]]},
-                              row));
+        minimax_.enter(within(
+            {products_.ring_row(triangle.a), products_.ring_row(triangle.m), products_.ring_row(triangle.b)}, row));
         Minimax::Place best{{0, 0}, error};
         minimax_.improve(best, [](const PlaneProducts& products) { return nearest_in_triangle(products); });
         if (!(best.squared_ratio < error)) continue;
@@ -109,7 +107,7 @@ void Settling::choose_place_tightly(std::size_t n, const double* row, Settlement
 /// The closing edge, which is the root's edge from a to b.
 JointSegment Settling::closing() const {
     const NewTriangle& root = tree_->triangle(0);
-    return {rows_[hole_->ring[at(root.a)]], rows_[hole_->ring[at(root.b)]]};
+    return {products_.ring_row(root.a), products_.ring_row(root.b)};
 }
 
 /// The same freedom on the closing edge.

@@ -168,7 +168,7 @@ bool Sweeper::lies_within(std::uint32_t vertex, const Patches& patches, std::siz
 
 bool Sweeper::ring_lies_within(std::uint32_t vertex, const Patches& patches, std::size_t number) const {
     return surface_.all_of_ring(
-        vertex, [&](std::uint32_t neighbour) { return patches.at(rows_.position(neighbour)) == number; });
+        vertex, [&](std::uint32_t neighbour) { return patches.holds(number, rows_.position(neighbour)); });
 }
 
 /// Whether the star has changed in this round, and is looked at in the next one.

@@ -40,13 +40,11 @@ void TrackedCost::find_sides() {
     for (int i = 0; i < size; ++i)
         for (int j = i + 1; j < size; ++j)
             for (std::size_t n = 0; n < sample_.size(); ++n) {
-                const glm::dvec2 &p = hole_->places[at(i)], &q = hole_->places[at(j)], &place = inner[sample_[n]].place;
-                left_[at(i * size + j)] |= std::uint64_t{orientation(p, q, place) >= 0} << n;
-                right_[at(i * size + j)] |= std::uint64_t{orientation(q, p, place) >= 0} << n;
+                const double side = orientation(hole_->places[at(i)], hole_->places[at(j)], inner[sample_[n]].place);
+                left_[at(i * size + j)] |= std::uint64_t{side >= 0} << n;
+                right_[at(i * size + j)] |= std::uint64_t{side <= 0} << n;
             }
 }
-
-const double* TrackedCost::row(int ring) const { return rows_[hole_->ring[at(ring)]]; }
 
 double TrackedCost::diagonal(int i, int j) {
     const double* candidate = rows_[hole_->candidate];

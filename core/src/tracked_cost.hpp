@@ -23,7 +23,7 @@ public:
 private:
     void take_sample();
     void find_sides();
-    const double* row(int ring) const;
+    const double* row(int ring) const { return products_.ring_row(ring); }
 
     const MeasuredRows& rows_;
     const HoleProducts& products_;

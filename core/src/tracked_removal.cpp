@@ -9,7 +9,7 @@ TrackedRemoval::TrackedRemoval(const Rows& rows, const MeasuredRows& measured_ro
     : rows_(rows), measured_rows_(measured_rows), surface_(surface), map_(map), supply_(map.crossings),
       choose_places_(options.choose_places), content_with_(content_with), content_(surface), products_(measured_rows),
       cost_(measured_rows, products_), settling_(measured_rows, products_, options.choose_places),
-      laying_(measured_rows, map, options.choose_crossings) {}
+      laying_(measured_rows, products_, map, options.choose_crossings) {}
 
 void TrackedRemoval::enter(const Hole& hole) {
     hole_ = &hole;
@@ -56,7 +56,8 @@ void TrackedRemoval::commit(const Retriangulation& retriangulation) {
         map_.residents.clear_edge(edge);
     }
     commit_settlements(retriangulation);
-    for (std::size_t p = 0; p < content_.pieces().size(); ++p) commit_piece(retriangulation, p);
+    for (std::size_t p = 0; p < content_.pieces().size(); ++p)
+        if (content_.pieces()[p].crosses || laying_.crosses(p)) commit_piece(retriangulation, p);
 }
 
 void TrackedRemoval::commit_settlements(const Retriangulation& retriangulation) {

@@ -16,13 +16,14 @@ public:
     double squared_content() const { return squared_content_; }
     const Measured& measured() const { return measured_; }
 
-    /// Takes the error of a difference of rows into account; false when it is above the limit.
-    template <class Difference>
-    bool take(double squared_error, const Difference& difference) {
+    /// Takes an error into account; false when it is above the limit. `find_difference()` gives the difference of rows that it
+    /// belongs to, which few are asked for.
+    template <class FindDifference>
+    bool take(double squared_error, const FindDifference& find_difference) {
         if (squared_error <= measured_.squared_ratio) return true;
         measured_.squared_ratio = squared_error;
         if (squared_error <= squared_limit_) return true;
-        measured_.variable = rows_.worst_variable(difference);
+        measured_.variable = rows_.worst_variable(find_difference());
         return false;
     }
 
