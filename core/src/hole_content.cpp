@@ -17,12 +17,29 @@ HoleContent::HoleContent(const Surface& surface)
 void HoleContent::enter(const Rows& rows, const Surface& surface, const Residents& residents, const Hole& hole) {
     vertices_.clear();
     pieces_found_ = false;
+    fetch_residents(residents, hole);
     if (hole.open) add_closing(rows, residents, hole);
     else vertices_.push_back({hole.candidate, InnerVertex::Host::triangle});
     for (int sector = 0; sector < hole.sectors(); ++sector) {
         add_sector(residents, hole, sector);
         if (surface.twin(hole.rims[at(sector)]) == no_index) add_rim(residents, hole, sector);
     }
+}
+
+void HoleContent::fetch_residents(const Residents& residents, const Hole& hole) {
+    chains_.clear();
+    for (const std::uint32_t slot : hole.slots) chains_.add(residents.in_triangle(slot));
+    chains_.walk([&](std::uint32_t vertex) {
+        residents.fetch_place(vertex);
+        return residents.next(vertex);
+    });
+}
+
+void HoleContent::fetch_crossings(const Crossings& crossings, const Hole& hole) {
+    chains_.clear();
+    for (const std::uint32_t edge : hole.rim_edges) chains_.add(crossings.on(edge));
+    for (const std::uint32_t edge : hole.spoke_edges) chains_.add(crossings.on(edge));
+    chains_.walk([&](std::uint32_t crossing) { return crossings[crossing].sibling; });
 }
 
 /// The residents of one of the star's triangles, at their places in the plane.
@@ -158,6 +175,7 @@ void HoleContent::find_pieces(const OriginalEdges& edges, const Crossings& cross
     pieces_found_ = true;
     pieces_.clear();
     mark(hole);
+    fetch_crossings(crossings, hole);
     for (int rim = 0; rim < hole.sectors(); ++rim) add_rim_pieces(edges, crossings, hole, rim);
     for (const InnerVertex& inner : vertices_) edges.fetch_spokes(inner.vertex);
     for (const InnerVertex& inner : vertices_) add_vertex_pieces(edges, crossings, inner.vertex);

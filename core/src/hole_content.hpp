@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "chains_in_step.hpp"
 #include "crossings.hpp"
 #include "hole.hpp"
 #include "original_edges.hpp"
@@ -67,6 +68,8 @@ public:
     const std::vector<Piece>& pieces() const { return pieces_; }
 
 private:
+    void fetch_residents(const Residents& residents, const Hole& hole);
+    void fetch_crossings(const Crossings& crossings, const Hole& hole);
     void add_sector(const Residents& residents, const Hole& hole, int sector);
     void add_closing(const Rows& rows, const Residents& residents, const Hole& hole);
     void add_rim(const Residents& residents, const Hole& hole, int rim);
@@ -82,6 +85,7 @@ private:
     std::vector<InnerVertex> vertices_;
     std::vector<Piece> pieces_;
     bool pieces_found_ = false;
+    ChainsInStep chains_;
     std::vector<std::int8_t> role_; // by edge: 0 elsewhere, 1 + rim (largest_ring is small), or -1 of a spoke
     std::vector<int> position_;     // by vertex: 0 elsewhere, else as in PieceEnd::place
 };
