@@ -194,8 +194,14 @@ void Sweeper::attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal
         const std::uint32_t neighbour = surface_.site(copy);
         fresh_[neighbour] = 1;
         touched_[neighbour] = round;
-        queue(neighbour, next);
+        if (has_chance(sweep, neighbour)) queue(neighbour, next);
     });
+}
+
+/// Before the last sweep, what was refused for a bound is not looked at again when its star has changed: of such vertices 2 to
+/// 4 % could go, and they can in the last sweep, too; asking all of them took a tenth of the time.
+bool Sweeper::has_chance(const Sweep& sweep, std::uint32_t vertex) const {
+    return !changed_wait(sweep.effort) || verdicts_[vertex].refusal != Refusal::bound;
 }
 
 /// Only the caller's own thread reports to it.

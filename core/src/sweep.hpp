@@ -61,6 +61,7 @@ private:
     bool waits(const Sweep& sweep, std::uint32_t vertex, std::uint32_t round) const;
     void take(const Sweep& sweep, std::uint32_t vertex, std::size_t member, std::uint32_t round, Queue& next);
     void attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal, std::uint32_t round, Queue& next);
+    bool has_chance(const Sweep& sweep, std::uint32_t vertex) const;
     bool tick(const Sweep& sweep, std::size_t member);
     void gather_team();
 
