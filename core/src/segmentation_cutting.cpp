@@ -6,12 +6,16 @@ namespace meshbound {
 
 void CellCutter::cut(std::uint32_t triangle, Outline& outline, Segmentation& segmentation) {
     enter(triangle, outline, segmentation);
+    if (outline.size() > 3) join_crossings(); // most triangles are crossed nowhere
+    close();
+}
+
+void CellCutter::join_crossings() {
     collect_chains();
     for (std::vector<Step>& chain : chains_) join_returns(chain);
     for (std::size_t i = 0; i < kept_.size(); ++i) join_to_ends(i);
     join_around_corners();
     join_to_opposite_corners();
-    close();
 }
 
 void CellCutter::enter(std::uint32_t triangle, Outline& outline, Segmentation& segmentation) {
@@ -88,26 +92,25 @@ void CellCutter::join_to_opposite_corners() {
         for (const Step step : chains_[i]) cut_off(kept_[(i + 2) % 3], step);
 }
 
-std::vector<CellCutter::Step> CellCutter::kept_steps_left() const {
-    std::vector<Step> kept;
+void CellCutter::collect_kept_steps_left() {
+    kept_.clear();
     Step step = left_;
     do {
-        if ((*outline_)[step].is_kept()) kept.push_back(step);
+        if ((*outline_)[step].is_kept()) kept_.push_back(step);
         step = next_[step];
     } while (step != left_);
-    return kept;
 }
 
 /// What is left is the last cell, but for sides that a reduced edge between two kept corners separates from it.
 void CellCutter::close() {
-    const std::vector<Step> kept = kept_steps_left();
-    const auto vertex = [&](std::size_t i) { return (*outline_)[kept[i]].kept; };
+    collect_kept_steps_left();
+    const auto vertex = [&](std::size_t i) { return (*outline_)[kept_[i]].kept; };
     const std::uint32_t last =
-        kept.size() == 3 ? faces_->of(vertex(0), vertex(1), vertex(2)) : triangle_of_run(left_, left_);
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        const Step end = kept[(i + 1) % kept.size()];
-        const std::uint32_t side = triangle_of_run(kept[i], end);
-        if (side != nowhere && side != last) cut_off(kept[i], end);
+        kept_.size() == 3 ? faces_->of(vertex(0), vertex(1), vertex(2)) : triangle_of_run(left_, left_);
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+        const Step end = kept_[(i + 1) % kept_.size()];
+        const std::uint32_t side = triangle_of_run(kept_[i], end);
+        if (side != nowhere && side != last) cut_off(kept_[i], end);
     }
     add_cell(left_, left_, last);
 }

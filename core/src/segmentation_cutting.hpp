@@ -37,13 +37,14 @@ private:
     using Step = std::size_t;
 
     void enter(std::uint32_t triangle, Outline& outline, Segmentation& segmentation);
+    void join_crossings();
     void collect_chains();
     void join_returns(std::vector<Step>& chain);
     void join_to_ends(std::size_t chain);
     void join_around_corners();
     void join_to_opposite_corners();
     void close();
-    std::vector<Step> kept_steps_left() const;
+    void collect_kept_steps_left();
     bool ends_at(Step crossing, Step kept) const;
     std::uint32_t triangle_of_run(Step from, Step to) const;
     std::uint32_t triangle_that_holds(Step from, Step to) const;
@@ -58,7 +59,7 @@ private:
     Segmentation* out_ = nullptr;
     std::vector<Step> next_; // what is left of the outline
     Step left_ = 0;          // one step of it
-    std::vector<Step> kept_; // the kept corners in their order
+    std::vector<Step> kept_; // the kept corners in their order, of the whole outline, at last of what is left
     /// The crossings not yet joined from each kept corner to the next; all in the first where no corner is kept.
     std::array<std::vector<Step>, 3> chains_;
 };
