@@ -46,7 +46,6 @@ bool Legality::enter(const Surface& surface, const Rows& rows, const Hole& hole)
     if (minds_turns_) face(star_normal(hole));
     find_directions(hole);
     find_neighbours(surface, rows, hole);
-    least_bend_cosine_ = std::min(sharpest_bend_cosine, sharpest_bend(hole));
     double squared_size = 0;
     for (const glm::dvec2& place : hole.places) squared_size = std::max(squared_size, glm::dot(place, place));
     least_area_ = least_area * squared_size;
@@ -140,7 +139,8 @@ void Legality::find_neighbours(const Surface& surface, const Rows& rows, const H
 }
 
 /// The least cosine across the star's spokes and rims, as the surface is now; 0 where all are positive.
-double Legality::sharpest_bend(const Hole& hole) const {
+double Legality::sharpest_bend() const {
+    const Hole& hole = *hole_;
     const auto sector = [&](int i) { return glm::cross(hole.spokes[at(i)], hole.spokes[at(hole.after(i))]); };
     double least = 0;
     glm::dvec3 before = hole.open ? glm::dvec3(0) : sector(hole.sectors() - 1);
@@ -159,7 +159,8 @@ bool Legality::leaves_candidate(int i, int j) const {
 
 /// Whether two triangles beside an edge, given by their normals, bend too far there.
 bool Legality::folds(const glm::dvec3& p, const glm::dvec3& q) const {
-    return negative_cosine(p, q) < least_bend_cosine_;
+    const double cosine = negative_cosine(p, q);
+    return cosine < sharpest_bend_cosine && cosine < sharpest_bend();
 }
 
 bool Legality::folds_onto_neighbour(const RingTriangle& triangle, int rim) const {

@@ -60,7 +60,7 @@ private:
     void take(int i, int j);
     bool is_taken(int i, int j);
     void see(std::uint32_t site, int i);
-    double sharpest_bend(const Hole& hole) const;
+    double sharpest_bend() const;
     bool folds(const glm::dvec3& p, const glm::dvec3& q) const;
     bool folds_onto_neighbour(const RingTriangle& triangle, int rim) const;
 
@@ -74,7 +74,6 @@ private:
     const Hole* hole_ = nullptr;
     glm::dvec3 normal_{0};             // of the hole, of unit length
     double least_cosine_ = 0;          // between it and the normal of a triangle that minds turns
-    double least_bend_cosine_ = 0;     // across every edge inside the hole and on its rims
     double least_area_ = 0;            // of a laid-out triangle, twice
     std::uint64_t ring_filter_ = 0;    // a bit for the last digits of each ring vertex: most others are told from them
     std::vector<std::uint32_t> sites_; // of the ring
