@@ -21,7 +21,7 @@ public:
     /// `next(link)`: the link behind it, or no_index.
     template <class Next>
     void walk(const Next& next) {
-        while (links_.size() > 1) { // the last one alone waits for nothing but itself
+        while (links_.size() > 1) { // one alone is walked no sooner than by who needs it
             std::size_t left = 0;
             for (const std::uint32_t link : links_)
                 if (const std::uint32_t behind = next(link); behind != no_index) links_[left++] = behind;

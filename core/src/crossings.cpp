@@ -40,10 +40,11 @@ void Crossings::link(std::uint32_t original, std::uint32_t before, std::uint32_t
 }
 
 void Crossings::refill(Supply& supply) {
+    static_assert(block_size % places_at_once == 0); // the first place of a block makes room for all
     const std::lock_guard lock(mutex_);
-    if (!returned_.empty()) {
-        supply.unused_ = returned_.back();
-        returned_.pop_back();
+    if (returned_ != no_index) {
+        supply.unused_ = returned_;
+        returned_ = at(returned_).next;
         return;
     }
     const std::uint32_t block = size_ >> block_bits;
@@ -53,7 +54,7 @@ void Crossings::refill(Supply& supply) {
     supply.end_ = size_ += places_at_once;
 }
 
-/// Chains what was never used before the rest of the supply.
+/// Puts what was never used in front of the rest of the supply, and gives both back as one chain.
 void Crossings::take_back(Supply& supply) {
     for (; supply.fresh_ != supply.end_; ++supply.fresh_) {
         at(supply.fresh_).sibling = supply.unused_;
@@ -61,7 +62,8 @@ void Crossings::take_back(Supply& supply) {
     }
     if (supply.unused_ == no_index) return;
     const std::lock_guard lock(mutex_);
-    returned_.push_back(supply.unused_);
+    at(supply.unused_).next = returned_;
+    returned_ = supply.unused_;
 }
 
 } // namespace meshbound

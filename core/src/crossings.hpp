@@ -77,11 +77,12 @@ private:
     void take_back(Supply& supply);
 
     std::vector<std::unique_ptr<Crossing[]>> blocks_;
-    std::vector<Chain> chains_;           // by original edge
-    std::vector<std::uint32_t> on_;       // by current edge
-    std::mutex mutex_;                    // of what follows
-    std::uint32_t size_ = 0;              // places that were handed out
-    std::vector<std::uint32_t> returned_; // chains of places that were given back, each by its first
+    std::vector<Chain> chains_;     // by original edge
+    std::vector<std::uint32_t> on_; // by current edge
+    std::mutex mutex_;              // of what follows
+    std::uint32_t size_ = 0;        // places that were handed out
+    std::uint32_t returned_ =
+        no_index; // the first place of a chain that was given back; its next is that of another one
 };
 
 } // namespace meshbound

@@ -114,7 +114,7 @@ PieceEnd HoleContent::end_at_rim(const Crossings& crossings, std::uint32_t id) c
 
 /// Along an original edge over the crossings with spokes, which vanish: to the next crossing with a rim, or to no_index at
 /// the end of the original edge.
-inline std::uint32_t HoleContent::walk(const Crossings& crossings, std::uint32_t from, bool forward) const {
+std::uint32_t HoleContent::walk(const Crossings& crossings, std::uint32_t from, bool forward) const {
     std::uint32_t id = from;
     while (id != no_index) {
         const Crossing& crossing = crossings[id];

@@ -33,15 +33,15 @@ struct InnerVertex {
 /// The end of a piece: a crossing on a rim, or a ring vertex or an inner vertex where the original edge ends, too. Small, since
 /// a hole may have thousands of them.
 struct PieceEnd {
-    int place = 0; ///< the rim; of a vertex 1 + its ring position, or -(1 + index of the inner vertex)
+    int where = 0; ///< the rim; of a vertex 1 + its ring position, or -(1 + index of the inner vertex)
     std::uint32_t crossing = no_index; ///< on the rim; no_index: a vertex
 
     bool is_crossing() const { return crossing != no_index; }
-    bool is_inner() const { return place < 0; }
-    int rim() const { return place; }
-    int inner() const { return -1 - place; }
+    bool is_inner() const { return where < 0; }
+    int rim() const { return where; }
+    int inner() const { return -1 - where; }
     /// Of a ring vertex its position, else -1.
-    int ring() const { return is_crossing() || is_inner() ? -1 : place - 1; }
+    int ring() const { return is_crossing() || is_inner() ? -1 : where - 1; }
 };
 
 /// A part of an original edge inside the hole, between places that remain when the spokes vanish.
@@ -87,7 +87,7 @@ private:
     bool pieces_found_ = false;
     ChainsInStep chains_;
     std::vector<std::int8_t> role_; // by edge: 0 elsewhere, 1 + rim (largest_ring is small), or -1 of a spoke
-    std::vector<int> position_;     // by vertex: 0 elsewhere, else as in PieceEnd::place
+    std::vector<int> position_;     // by vertex: 0 elsewhere, else as in PieceEnd::where
 };
 
 } // namespace meshbound

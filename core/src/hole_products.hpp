@@ -9,7 +9,7 @@
 
 namespace meshbound {
 
-/// The joint rows of a hole, taken from the candidate's, by their dot products. Nearest places between ring, spokes,
+/// The joint rows of a hole: those of its ring and, taken from the candidate's, their dot products. Nearest places between ring, spokes,
 /// diagonals and inner vertices follow from these numbers alone, so that the components are gone through once a hole, not
 /// once for every triangle and diagonal that is asked about.
 class HoleProducts {

@@ -53,7 +53,7 @@ glm::dvec2 Laying::place_of(const PieceEnd& end) const {
     return hole_->places[at(i)] + along * (hole_->places[at(j)] - hole_->places[at(i)]);
 }
 
-/// Along the original edge, which a piece that begins at no crossing begins with.
+/// The s at which a piece starts: at no crossing, that of the original edge's lower end.
 double Laying::start_of(const Piece& piece) const {
     return piece.start.is_crossing() ? map_.crossings[piece.start.crossing].s : 0;
 }
@@ -81,7 +81,7 @@ bool Laying::lay_piece(const Piece& piece, int from, int to, WorstError& worst) 
 void Laying::cross_straight(const Piece& piece, std::size_t first) {
     if (first == crossings_.size()) return;
     const glm::dvec2 start = place_of(piece.start), direction = place_of(piece.end) - start;
-    const double from = start_of(piece), to = end_of(piece);
+    const double start_s = start_of(piece), end_s = end_of(piece);
     double reached = 0;
     for (std::size_t n = first; n < crossings_.size(); ++n) {
         NewCrossing& crossing = crossings_[n];
@@ -93,7 +93,7 @@ void Laying::cross_straight(const Piece& piece, std::size_t first) {
         const double low = reached + least_gap * (1 - reached), high = 1 - least_gap * (1 - low);
         reached = clamped(meeting, low, high);
         crossing.t = clamped(glm::dot(start + reached * direction - a, along) / glm::dot(along, along), 0, 1);
-        crossing.s = from + reached * (to - from);
+        crossing.s = start_s + reached * (end_s - start_s);
     }
 }
 

@@ -39,7 +39,7 @@ public:
 
 private:
     bool lay_piece(const Piece& piece, int from, int to, WorstError& worst);
-    /// At which a piece may begin or end. Of a ring vertex any of its triangles serves.
+    /// The triangle at which a piece may begin or end. Of a ring vertex any of its triangles serves.
     int triangle_at(const PieceEnd& end) const {
         return end.is_inner() ? settling_->triangle_of(end.inner())
                               : tree_->at_rim(end.is_crossing() ? end.rim() : end.ring());

@@ -43,7 +43,7 @@ bool Legality::enter(const Surface& surface, const Rows& rows, const Hole& hole)
     if (surface.has_sites()) find_taken_edges(surface, hole);
     if (touches_own_site(surface, hole)) return false;
     if (hole.open && is_taken(0, hole.size() - 1)) return false; // the closing edge exists: the loop has three edges
-    if (minds_turns_) face(star_normal(hole));
+    if (minds_turns_) keep_to(star_normal(hole));
     find_directions(hole);
     find_neighbours(surface, rows, hole);
     double squared_size = 0;
@@ -115,7 +115,7 @@ void Legality::take(int i, int j) {
     taken_[at(i * hole_->size() + j)] = taken_[at(j * hole_->size() + i)] = Taken::yes;
 }
 
-void Legality::face(const glm::dvec3& normal) {
+void Legality::keep_to(const glm::dvec3& normal) {
     const double length = glm::length(normal);
     normal_ = length > 0 ? normal / length : normal;
     least_cosine_ = length > 0 ? least_turn_cosine : 0; // from no direction nothing turns away
@@ -159,7 +159,7 @@ bool Legality::leaves_candidate(int i, int j) const {
 
 /// Whether two triangles beside an edge, given by their normals, bend too far there.
 bool Legality::folds(const glm::dvec3& p, const glm::dvec3& q) const {
-    const double cosine = negative_cosine(p, q);
+    const double cosine = negative_cosine(p, q); // few are so small that the star is asked how far it bent
     return cosine < sharpest_bend_cosine && cosine < sharpest_bend();
 }
 
@@ -177,12 +177,15 @@ bool Legality::allows_triangle(const RingTriangle& triangle) const {
     return !turns_from_original(triangle);
 }
 
+/// More than a right angle against the original, and more than any triangle that the original has at its corners.
 bool Legality::turns_from_original(const RingTriangle& triangle) const {
     const auto& [a, m, b, u, v, w, normal, length] = triangle;
     const glm::dvec3 mean = directions_[at(a)] + directions_[at(m)] + directions_[at(b)];
-    if (!(glm::dot(mean, normal) < 0)) return false; // as almost always; then nothing else is asked
+    const double product = glm::dot(mean, normal);
+    if (!(product < 0)) return false; // as almost always; then no root is needed
     const std::vector<std::uint32_t>& ring = hole_->ring;
-    return original_.turns({ring[at(a)], ring[at(m)], ring[at(b)]}, normal, length);
+    const double least = original_.least_cosine({ring[at(a)], ring[at(m)], ring[at(b)]});
+    return product < least * glm::length(mean) * length;
 }
 
 bool Legality::allows_neighbours(const RingTriangle& triangle, const glm::dvec3* left, const glm::dvec3* right) const {

@@ -55,7 +55,7 @@ private:
     void find_taken_edges(const Surface& surface, const Hole& hole);
     void find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole);
     bool leaves_candidate(int i, int j) const;
-    void face(const glm::dvec3& normal);
+    void keep_to(const glm::dvec3& normal);
     void find_directions(const Hole& hole);
     void take(int i, int j);
     bool is_taken(int i, int j);

@@ -40,27 +40,26 @@ public:
     /// Largest squared ratio to its bound over the variables; `difference(i)` gives lane i of the difference of two rows.
     template <class Difference>
     double squared_ratio(const Difference& difference) const {
-        double worst = 0;
+        Lane worst = {0, 0};
+        const auto take = [&worst](const Lane& squares) { worst = squares > worst ? squares : worst; };
         for (const Vector& vector : vectors_) {
             Lane sum = {0, 0};
             for (int i = vector.first; i < vector.full_end; ++i) {
                 const Lane d = difference(i);
                 sum += d * d;
             }
-            double square = sum[0] + sum[1];
+            Lane squares = {sum[0] + sum[1], 0};
             if (vector.odd) {
-                const Lane d = difference(vector.full_end), last = d * d;
-                square += last[0];
-                worst = std::max(worst, last[1]);
+                const Lane d = difference(vector.full_end);
+                squares += d * d; // the other half is that of a scalar, or zero
             }
-            worst = std::max(worst, square);
+            take(squares);
         }
-        Lane largest = {0, 0};
         for (int i = scalars_; i < lanes_; ++i) {
-            const Lane d = difference(i), square = d * d;
-            largest = square > largest ? square : largest;
+            const Lane d = difference(i);
+            take(d * d);
         }
-        return std::max(worst, std::max(largest[0], largest[1]));
+        return std::max(worst[0], worst[1]);
     }
 
     /// The variable (0: position) in which a difference is largest.

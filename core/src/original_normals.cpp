@@ -59,12 +59,8 @@ float OriginalNormals::least_cosine(std::uint32_t vertex) const {
     return turn != turns_.end() && turn->vertex == vertex ? turn->cosine : 0.0F;
 }
 
-bool OriginalNormals::turns(const Corners& corners, const glm::dvec3& normal, double length) const {
-    const glm::dvec3 mean = sum(corners);
-    const double product = glm::dot(mean, normal);
-    if (!(product < 0)) return false; // as almost always; then no root is needed
-    const float least = std::min({least_cosine(corners[0]), least_cosine(corners[1]), least_cosine(corners[2])});
-    return product < least * glm::length(mean) * length;
+double OriginalNormals::least_cosine(const Corners& corners) const {
+    return std::min({least_cosine(corners[0]), least_cosine(corners[1]), least_cosine(corners[2])});
 }
 
 std::size_t OriginalNormals::count_turned(const Surface& surface, const Rows& rows) const {

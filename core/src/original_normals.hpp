@@ -21,12 +21,12 @@ public:
     /// The surface is the original still.
     OriginalNormals(const Surface& surface, const Rows& rows);
 
-    /// Where the original faces at a vertex; of any length, the same for all, or zero where it faces nowhere.
+    /// Where the original faces at a vertex; all of one length, but for rounding, or zero where it faces nowhere.
     glm::dvec3 direction(std::uint32_t vertex) const { return glm::dvec3(normals_[vertex]); }
 
-    /// Whether a triangle between vertices of the original turns more than a right angle against it, and more than any
-    /// triangle that the original has at them. `normal` has the length `length`.
-    bool turns(const std::array<std::uint32_t, 3>& corners, const glm::dvec3& normal, double length) const;
+    /// The least cosine by which a triangle of the original turns at one of these vertices; 0 where none turns more than a
+    /// right angle.
+    double least_cosine(const std::array<std::uint32_t, 3>& corners) const;
 
     /// How many triangles of a surface over the same vertices turn more than a right angle.
     std::size_t count_turned(const Surface& surface, const Rows& rows) const;

@@ -30,7 +30,7 @@ public:
         return node - first_leaf_;
     }
 
-    /// Whether that patch is this one: quicker to tell than which one it is.
+    /// Of a finite position: whether that patch is this one, which is quicker to tell than which one it is.
     bool holds(std::size_t patch, const glm::dvec3& position) const {
         const Extent& extent = extents_[first_leaf_ + patch];
         return glm::all(glm::lessThanEqual(extent.low, position)) && glm::all(glm::lessThan(position, extent.high));
@@ -46,11 +46,12 @@ private:
         double at = 0;
         int axis = 0;
     };
-    std::size_t first_leaf_;
     /// What lies neither below `low` nor at or above `high`, on any axis.
     struct Extent {
         glm::dvec3 low{-std::numeric_limits<double>::infinity()}, high{std::numeric_limits<double>::infinity()};
     };
+
+    std::size_t first_leaf_;
     // By node: the root is 1, below node n are 2n and 2n + 1.
     std::vector<Cut> cuts_;
     std::vector<Extent> extents_;

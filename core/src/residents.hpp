@@ -29,7 +29,7 @@ public:
         const Place& place = places_[vertex];
         return {std::max(0.0, 1 - place.x - place.y), place.x, place.y};
     }
-    /// Has the processor fetch it, without waiting.
+    /// Has the processor fetch where a resident lies, without waiting.
     void fetch_place(std::uint32_t vertex) const { __builtin_prefetch(&places_[vertex]); }
     /// Share along its boundary edge, from the edge's lower vertex.
     double share(std::uint32_t vertex) const { return places_[vertex].x; }

@@ -97,6 +97,7 @@ bool Retriangulator::triangulate(const Hole& hole, Legality& legality, HoleCost&
 bool Retriangulator::fan(const Hole& hole, Legality& legality, int hub, Retriangulation& best) {
     const int size = hole.size();
     middle_.assign(at(size * size), -1);
+    normal_.resize(at(size * size));
     for (int a = 0; a + 1 < hub; ++a) middle_[at(a * size + hub)] = a + 1;
     for (int b = hub + 2; b < size; ++b) middle_[at(hub * size + b)] = b - 1;
     if (hub > 0 && hub < size - 1) middle_[at(size - 1)] = hub;

@@ -6,7 +6,7 @@ namespace meshbound {
 
 void CellCutter::cut(std::uint32_t triangle, Outline& outline, Segmentation& segmentation) {
     enter(triangle, outline, segmentation);
-    if (outline.size() > 3) join_crossings(); // most triangles are crossed nowhere
+    if (outline.size() > 3) join_crossings(); // more than its corners, as few triangles have
     close();
 }
 

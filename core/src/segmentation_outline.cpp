@@ -11,13 +11,13 @@ std::uint64_t edge_key(std::uint32_t lower, std::uint32_t upper) { return std::u
 
 Outlines::Outlines(const MappedSurfaces& surfaces, const Faces& reduced_faces)
     : original_(&surfaces.original), reduced_(&surfaces.reduced), map_(&surfaces.map), faces_(&reduced_faces),
-      kept_as_(surfaces.map.places.size(), nowhere), begins_crossed_(surfaces.map.places.size(), 0) {
+      kept_as_(surfaces.map.places.size(), nowhere), has_crossed_edge_(surfaces.map.places.size(), 0) {
     for (std::uint32_t v = 0; v < surfaces.vertices.size(); ++v) kept_as_[surfaces.vertices[v]] = v;
     crossings_.reserve(map_->crossings.size());
     for (std::uint32_t n = 0; n < map_->crossings.size(); ++n) {
         const glm::uvec2 edge = map_->crossings[n].original;
         crossings_.emplace_back(edge_key(edge.x, edge.y), n);
-        begins_crossed_[edge.x] = 1;
+        has_crossed_edge_[edge.x] = 1;
     }
     // By edge, and along an edge as in the map: with s rising, and in their order where it does not.
     std::sort(crossings_.begin(), crossings_.end());
@@ -55,7 +55,7 @@ glm::uvec2 Outlines::curve_at(const MapPlace& place) const {
 }
 
 void Outlines::add_crossings(std::uint32_t from, std::uint32_t to, Outline& outline) const {
-    if (!begins_crossed_[std::min(from, to)]) return;
+    if (!has_crossed_edge_[std::min(from, to)]) return;
     const std::uint64_t key = edge_key(std::min(from, to), std::max(from, to));
     const auto first = std::lower_bound(crossings_.begin(), crossings_.end(), std::pair{key, std::uint32_t{0}});
     const std::size_t start = outline.size();

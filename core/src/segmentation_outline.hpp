@@ -47,8 +47,8 @@ private:
     const Faces* faces_;
     std::vector<std::uint32_t> kept_as_;                             // by original vertex: the reduced one, or nowhere
     std::vector<std::pair<std::uint64_t, std::uint32_t>> crossings_; // sorted: original edge, index of the crossing
-    std::vector<char>
-        begins_crossed_; // by original vertex: whether an edge from it to a higher one is crossed; few are
+    /// By original vertex: whether an edge from it to a higher one is crossed; far from all are after a strong reduction.
+    std::vector<char> has_crossed_edge_;
 };
 
 } // namespace meshbound

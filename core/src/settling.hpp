@@ -30,6 +30,7 @@ public:
                 const std::vector<InnerVertex>& inner, WorstError& worst);
 
     const std::vector<Settlement>& settlements() const { return settlements_; } // by inner vertex
+    /// The new triangle in which an inner vertex has settled.
     int triangle_of(int inner) const { return settlements_[static_cast<std::size_t>(inner)].triangle; }
     const std::vector<glm::dvec2>& places() const { return places_; } // in the plane
 

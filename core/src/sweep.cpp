@@ -198,8 +198,9 @@ void Sweeper::attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal
     });
 }
 
-/// Before the last sweep, what was refused for a bound is not looked at again when its star has changed: of such vertices 2 to
-/// 4 % could go, and they can in the last sweep, too; asking all of them took a tenth of the time.
+/// Before the last sweep, what was refused for a bound is not looked at again when its star has changed: 2 to 4 % of such
+/// vertices could go, and the last sweep asks them anyway. Asking all of them took a tenth of the time and left 0.3 % more
+/// triangles.
 bool Sweeper::has_chance(const Sweep& sweep, std::uint32_t vertex) const {
     return !changed_wait(sweep.effort) || verdicts_[vertex].refusal != Refusal::bound;
 }

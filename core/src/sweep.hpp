@@ -13,9 +13,10 @@
 
 namespace meshbound {
 
-/// The order of removal: few sweeps, each taking in turn whatever stays within its fraction of the bounds. A refused
-/// candidate is remembered with the error it would have caused and skipped until its star changes or the limit passes that
-/// error. A sweep goes in rounds: what a round changes the next one looks at. It ends when no vertex is left to look at.
+/// The order of removal: few sweeps, each taking in turn whatever stays within its fraction of the bounds. A sweep
+/// goes in rounds: what a round changes the next one looks at. It ends when no vertex is left to look at. A refused candidate
+/// is remembered with the error it would have caused. What a bound refused is looked at again in a later sweep, where its
+/// star has changed or the limit has passed that error; within a sweep, when its star changes, in the last one alone.
 ///
 /// A large round is cut into patches, which several threads take at once: of each the vertices whose neighbours all lie in the
 /// same patch, before the last sweep some rounds in a row. What a removal reads and writes belongs to its ring's vertices, so

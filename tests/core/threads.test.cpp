@@ -220,6 +220,12 @@ TEST(TeamTest, PassesOnAnExceptionAndGoesOn) {
     EXPECT_EQ(done, 10);
 }
 
+/// That patch alone in which it lies.
+void expect_one_holds(const Patches& patches, const glm::dvec3& position) {
+    for (std::size_t patch = 0; patch < patches.count(); ++patch)
+        EXPECT_EQ(patches.holds(patch, position), patch == patches.at(position));
+}
+
 TEST(PatchesTest, HoldAboutEquallyMany) {
     const Mesh mesh = meshes::noisy_sphere(40, 0.1, 1);
     std::vector<ResolvedBound> bounds;
@@ -230,7 +236,10 @@ TEST(PatchesTest, HoldAboutEquallyMany) {
     for (const std::uint32_t shift : {0U, 1U, 2U}) {
         const Patches patches(rows, vertices, 4, shift);
         std::vector<std::size_t> count(patches.count());
-        for (const std::uint32_t v : vertices) ++count[patches.at(rows.position(v))];
+        for (const std::uint32_t v : vertices) {
+            ++count[patches.at(rows.position(v))];
+            expect_one_holds(patches, rows.position(v));
+        }
         EXPECT_GT(*std::min_element(count.begin(), count.end()), vertices.size() / 32);
         EXPECT_LT(*std::max_element(count.begin(), count.end()), vertices.size() / 8);
     }
@@ -245,6 +254,8 @@ TEST(PatchesTest, ManyVerticesAtOnePlaceLieInOnePatch) {
     const Patches patches(rows, vertices, 3, 0);
     for (std::uint32_t v = 0; v < vertex_count(mesh); ++v)
         EXPECT_EQ(patches.at(rows.position(v)), patches.at(rows.position(0)));
+    expect_one_holds(patches, rows.position(0)); // below, at and above where all cuts are
+    for (const double x : {0.0, 0.5, 2.0}) expect_one_holds(patches, glm::dvec3(x));
 }
 
 } // namespace
