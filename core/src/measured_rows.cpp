@@ -20,6 +20,9 @@ MeasuredRows::MeasuredRows(const Rows& rows) : rows_(&rows) {
         else scalar_variables_.push_back(group.variable);
     }
     lanes_ += (static_cast<int>(scalar_variables_.size()) + 1) / 2;
+    if (lanes_ == 0) return;
+    begin_fetched_ = begin_;
+    end_fetched_ = begin_ + std::min(2 * lanes_ - 1, 8);
 }
 
 /// The vector whose last component stands alone in a lane.

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <vector>
 
+#include "fetch.hpp"
 #include "rows.hpp"
 
 namespace meshbound {
@@ -25,8 +26,8 @@ public:
     const double* operator[](std::uint32_t vertex) const { return (*rows_)[vertex] + begin_; }
     /// Has the processor fetch a row, without waiting; of a long one the first 16 components.
     void fetch(std::uint32_t vertex) const {
-        __builtin_prefetch((*this)[vertex]);
-        __builtin_prefetch((*this)[vertex] + 8);
+        meshbound::fetch((*rows_)[vertex] + begin_fetched_);
+        meshbound::fetch((*rows_)[vertex] + end_fetched_);
     }
     int lanes() const { return lanes_; }
     const Multipliers& multipliers() const { return rows_->multipliers(); }
@@ -143,7 +144,8 @@ private:
     const Rows* rows_;
     int begin_ = 0; // of the first lane in the row
     int lanes_ = 0;
-    int scalars_ = 0; // first lane of the other scalars
+    int scalars_ = 0;                         // first lane of the other scalars
+    int begin_fetched_ = 0, end_fetched_ = 0; // components in the row, one on each line of the cache that is fetched
     std::vector<Vector> vectors_;
     std::vector<std::uint32_t> scalar_variables_;
 };

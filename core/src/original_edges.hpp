@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "fetch.hpp"
 #include "surface.hpp"
 
 namespace meshbound {
@@ -26,8 +27,8 @@ public:
     }
 
     /// Has the processor fetch, without waiting, where a vertex's edges stand; and, that being there, the edges.
-    void fetch_start(std::uint32_t vertex) const { __builtin_prefetch(&start_[vertex]); }
-    void fetch_spokes(std::uint32_t vertex) const { __builtin_prefetch(spokes_.data() + start_[vertex]); }
+    void fetch_start(std::uint32_t vertex) const { fetch(&start_[vertex]); }
+    void fetch_spokes(std::uint32_t vertex) const { fetch(spokes_.data() + start_[vertex]); }
 
     /// An edge at one of its ends.
     struct Spoke {
@@ -41,7 +42,7 @@ public:
 private:
     std::vector<std::uint32_t> ends_;
     std::vector<std::uint32_t> start_; // by vertex: spokes_[start_[v]] … spokes_[start_[v + 1] - 1]
-    std::vector<Spoke> spokes_;
+    std::vector<Spoke> spokes_;        // and one more, so that where a vertex's begin there is one
 };
 
 } // namespace meshbound

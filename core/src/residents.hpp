@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "fetch.hpp"
 #include "surface.hpp"
 
 namespace meshbound {
@@ -30,7 +31,7 @@ public:
         return {std::max(0.0, 1 - place.x - place.y), place.x, place.y};
     }
     /// Has the processor fetch where a resident lies, without waiting.
-    void fetch_place(std::uint32_t vertex) const { __builtin_prefetch(&places_[vertex]); }
+    void fetch_place(std::uint32_t vertex) const { fetch(&places_[vertex]); }
     /// Share along its boundary edge, from the edge's lower vertex.
     double share(std::uint32_t vertex) const { return places_[vertex].x; }
 
