@@ -70,7 +70,7 @@ private:
     };
     /// Blocks of places, so that places never move while others look at them. As many as there may ever be: 500 million
     /// places, of which a surface takes about one for each of its triangles.
-    static constexpr std::uint32_t block_bits = 15, block_size = 1 << block_bits, most_blocks = 1 << 14;
+    static constexpr std::uint32_t block_bits = 17, block_size = 1 << block_bits, most_blocks = 1 << 12;
 
     Crossing& at(std::uint32_t id) const { return blocks_[id >> block_bits][id % block_size]; }
     void refill(Supply& supply);
