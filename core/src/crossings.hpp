@@ -81,8 +81,8 @@ private:
     std::vector<std::uint32_t> on_; // by current edge
     std::mutex mutex_;              // of what follows
     std::uint32_t size_ = 0;        // places that were handed out
-    std::uint32_t returned_ =
-        no_index; // the first place of a chain that was given back; its next is that of another one
+    /// The first place of a chain that was given back; its next is the first of another one.
+    std::uint32_t returned_ = no_index;
 };
 
 } // namespace meshbound

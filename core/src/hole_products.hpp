@@ -9,9 +9,9 @@
 
 namespace meshbound {
 
-/// The joint rows of a hole: those of its ring and, taken from the candidate's, their dot products. Nearest places between ring, spokes,
-/// diagonals and inner vertices follow from these numbers alone, so that the components are gone through once a hole, not
-/// once for every triangle and diagonal that is asked about.
+/// The joint rows of a hole: those of its ring and, taken from the candidate's, their dot products. Nearest places between
+/// ring, spokes, diagonals and inner vertices follow from these numbers alone, so that the components are gone through once a
+/// hole, not once for every triangle and diagonal that is asked about.
 class HoleProducts {
 public:
     explicit HoleProducts(const MeasuredRows& rows) : rows_(&rows) {}
