@@ -1,12 +1,12 @@
 #include "surface.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "half_edge_runs.hpp"
 #include "hole.hpp"
 
 namespace meshbound {
+
 Surface::Surface(const std::vector<glm::uvec3>& triangles, std::size_t vertices,
                  const std::vector<std::int32_t>& regions)
     : outgoing_(vertices, no_index), kind_(vertices, VertexKind::absent) {
@@ -45,151 +45,7 @@ void Surface::pair(std::uint32_t h, std::uint32_t g) {
     edge_[h] = edge_[g] = static_cast<std::uint32_t>(edge_count_++);
 }
 
-/// Where labels differ, each side has an edge of its own.
-void Surface::cut_borders() {
-    for (std::uint32_t h = 0; h < origin_.size(); ++h) {
-        const std::uint32_t g = twin_[h];
-        if (g == no_index || regions_[triangle_of(g)] == regions_[triangle_of(h)]) continue;
-        twin_[h] = twin_[g] = no_index;
-        edge_[g] = static_cast<std::uint32_t>(edge_count_++);
-    }
-}
-
-/// A vertex is interior or boundary when one walk around it meets all its triangles; a boundary walk starts where there is
-/// no twin. Returns how many vertices have several fans.
-std::size_t Surface::classify() {
-    std::vector<std::uint32_t> valence(kind_.size(), 0);
-    std::fill(outgoing_.begin(), outgoing_.end(), no_index);
-    for (std::uint32_t h = 0; h < origin_.size(); ++h) {
-        const std::uint32_t vertex = origin_[h];
-        ++valence[vertex];
-        if (outgoing_[vertex] == no_index || twin_[h] == no_index) outgoing_[vertex] = h;
-    }
-    std::size_t split = 0;
-    for (std::uint32_t vertex = 0; vertex < kind_.size(); ++vertex) {
-        if (valence[vertex] == 0) continue;
-        const std::uint32_t start = outgoing_[vertex];
-        split += fan_length(start) != valence[vertex];
-        kind_[vertex] = twin_[start] == no_index ? VertexKind::boundary : VertexKind::interior;
-    }
-    return split;
-}
-
-std::uint32_t Surface::fan_length(std::uint32_t start) const {
-    std::uint32_t length = 0, spoke = start;
-    do {
-        ++length;
-        spoke = next_spoke(spoke);
-    } while (spoke != no_index && spoke != start);
-    return length;
-}
-
-/// Gives each fan a vertex of its own, in the order of the input's vertices and of the half-edges that they begin with.
-void Surface::split_vertices() {
-    struct Fan {
-        std::uint32_t input, start;
-    };
-    std::vector<Fan> fans;
-    std::vector<char> seen(origin_.size(), 0);
-    const auto walk = [&](std::uint32_t start, const auto& visit) {
-        std::uint32_t spoke = start;
-        do {
-            visit(spoke);
-            spoke = next_spoke(spoke);
-        } while (spoke != no_index && spoke != start);
-    };
-    for (const bool open : {true, false})
-        for (std::uint32_t h = 0; h < origin_.size(); ++h) {
-            if (seen[h] || (open && twin_[h] != no_index)) continue;
-            fans.push_back({origin_[h], h});
-            walk(h, [&](std::uint32_t spoke) { seen[spoke] = 1; });
-        }
-    for (std::uint32_t vertex = 0; vertex < kind_.size(); ++vertex)
-        if (kind_[vertex] == VertexKind::absent) fans.push_back({vertex, no_index});
-    std::sort(fans.begin(), fans.end(),
-              [](const Fan& a, const Fan& b) { return a.input != b.input ? a.input < b.input : a.start < b.start; });
-    first_copy_.assign(kind_.size(), no_index);
-    kind_.assign(fans.size(), VertexKind::absent);
-    outgoing_.assign(fans.size(), no_index);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> copies;
-    for (std::uint32_t vertex = 0; vertex < fans.size(); ++vertex) {
-        const auto [input, start] = fans[vertex];
-        inputs_.push_back(input);
-        if (first_copy_[input] == no_index) first_copy_[input] = vertex;
-        else copies.emplace_back(first_copy_[input], vertex);
-        if (start == no_index) continue;
-        outgoing_[vertex] = start;
-        kind_[vertex] = twin_[start] == no_index ? VertexKind::boundary : VertexKind::interior;
-    }
-    for (std::uint32_t vertex = 0; vertex < fans.size(); ++vertex)
-        if (fans[vertex].start != no_index)
-            walk(fans[vertex].start, [&](std::uint32_t spoke) { origin_[spoke] = vertex; });
-    join_sites(copies);
-}
-
-void Surface::join_sites(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
-    if (pairs.empty()) return;
-    if (sites_.empty()) {
-        sites_.resize(kind_.size());
-        std::iota(sites_.begin(), sites_.end(), 0U);
-    }
-    const auto name = [&](std::uint32_t vertex) {
-        while (sites_[vertex] != vertex) vertex = sites_[vertex] = sites_[sites_[vertex]];
-        return vertex;
-    };
-    for (const auto& [a, b] : pairs) {
-        const std::uint32_t one = name(a), other = name(b);
-        sites_[std::max(one, other)] = std::min(one, other);
-    }
-    next_in_site_.assign(kind_.size(), no_index);
-    std::vector<std::uint32_t> last(kind_.size(), no_index);
-    for (std::uint32_t vertex = 0; vertex < sites_.size(); ++vertex) {
-        const std::uint32_t site = sites_[vertex] = name(vertex);
-        if (last[site] != no_index) next_in_site_[last[site]] = vertex;
-        last[site] = vertex;
-    }
-}
-
-/// The spoke of a boundary vertex's last triangle, behind which its fan ends.
-std::uint32_t Surface::last_in_fan(std::uint32_t vertex) const {
-    std::uint32_t last = outgoing_[vertex];
-    while (next_spoke(last) != no_index) last = next_spoke(last);
-    return last;
-}
-
 bool Surface::is_closed() const { return std::find(kind_.begin(), kind_.end(), VertexKind::boundary) == kind_.end(); }
-
-bool Surface::is_free(std::uint32_t vertex) const {
-    if (kind_[vertex] == VertexKind::absent) return false;
-    if (sites_.empty()) return true;
-    std::uint32_t copies = 0, lower = no_index, upper = no_index; // the two neighbours on the curve
-    bool alike = true, interior = false;
-    for_each_in_site(vertex, [&](std::uint32_t copy) {
-        ++copies;
-        if (kind_[copy] != VertexKind::boundary) {
-            interior = true;
-            return;
-        }
-        const std::uint32_t one = site(target(outgoing_[copy])), other = site(origin(previous(last_in_fan(copy))));
-        if (lower == no_index) lower = std::min(one, other), upper = std::max(one, other);
-        alike = alike && one != other && lower == std::min(one, other) && upper == std::max(one, other);
-    });
-    return interior ? copies == 1 : alike;
-}
-
-bool Surface::triangle_exists(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    bool found = false;
-    for_each_in_site(a, [&](std::uint32_t copy) {
-        const std::uint32_t first = outgoing_[copy];
-        std::uint32_t spoke = first;
-        do {
-            const std::uint32_t one = site(target(spoke)), other = site(origin(previous(spoke)));
-            found = found || (one == site(b) && other == site(c)) || (one == site(c) && other == site(b));
-            spoke = next_spoke(spoke);
-        } while (spoke != no_index && spoke != first);
-    });
-    return found;
-}
 
 std::size_t Surface::drop(const std::vector<char>& vertices) {
     std::size_t triangles = 0;

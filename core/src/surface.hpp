@@ -35,6 +35,8 @@ enum class VertexKind : std::uint8_t {
 /// (see find_seams), form a *site*: they are removed together or not at all, so that sheets stay joined as they are.
 ///
 /// Triangles with a repeated vertex are left out.
+///
+/// How it is cut open: sheets.cpp; what belongs together: sites.cpp; what a removal changes: surface.cpp.
 class Surface {
 public:
     Surface() = default;
@@ -132,10 +134,17 @@ private:
     void refresh_vertices(const NewTriangle& triangle);
     void pair_half_edges();
     void pair(std::uint32_t h, std::uint32_t g);
+    /// The fan of a vertex of the input that begins with a half-edge, at the boundary where it is open.
+    struct Fan {
+        std::uint32_t input, start;
+    };
     void cut_borders();
-    std::size_t classify();
-    void split_vertices();
+    template <class Visit>
+    void walk_fan(std::uint32_t start, const Visit& visit) const;
     std::uint32_t fan_length(std::uint32_t start) const;
+    std::size_t classify();
+    std::vector<Fan> find_fans() const;
+    void split_vertices();
     std::uint32_t last_in_fan(std::uint32_t vertex) const;
 
     std::vector<std::uint32_t> origin_, twin_, edge_; // by half-edge
