@@ -46,6 +46,19 @@ test('on a narrow page a promise of more lines than there is room for can be rea
   await expect(whole).toHaveCount(0);
 });
 
+test('on a narrow page the place where an error is largest is brought into the window, from the bounds below', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 320, height: 640 });
+  await openPage(page);
+  await page
+    .getByRole('button', { name: /^error/ })
+    .nth(2)
+    .click();
+  await expect(page.getByRole('group', { name: 'Probe' })).toBeInViewport();
+  await expect(page.locator('.marker:not(.hidden)').first()).toBeInViewport();
+});
+
 for (const [width, height] of [
   [320, 640],
   [800, 900],

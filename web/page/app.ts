@@ -187,7 +187,7 @@ export class App extends LitElement {
           @undo=${() => session.undo()}
           @redo=${() => session.redo()}
           @bounds-change=${({ detail }: CustomEvent<BoundChange>) => this.#changeBounds(detail)}
-          @worst-wanted=${({ detail }: CustomEvent<string>) => this.viewer.probeWorst(detail)}
+          @worst-wanted=${({ detail }: CustomEvent<string>) => this.#showWorst(detail)}
           @method-change=${({ detail }: CustomEvent<Method>) => this.#set(detail)}
         ></meshbound-bounds-panel>
       </div>
@@ -357,6 +357,12 @@ export class App extends LitElement {
     e: () => this.#set({ edges: !this.viewer.edges }),
     f: () => this.viewer.fit(),
   };
+
+  /** Where the window is narrow, the surfaces are above the bounds, out of sight. */
+  #showWorst(variable: string): void {
+    void this.viewer.probeWorst(variable);
+    this.viewer.scrollIntoView({ block: 'nearest' });
+  }
 
   #toggleKeys(): void {
     this.renderRoot.querySelector<KeySheet>('meshbound-key-sheet')?.toggle();
