@@ -59,6 +59,16 @@ test('on a narrow page the place where an error is largest is brought into the w
   await expect(page.locator('.marker:not(.hidden)').first()).toBeInViewport();
 });
 
+test('menus keep off the edge of the window', async ({ page }) => {
+  await openPage(page);
+  for (const opener of ['Save…', 'More']) {
+    await page.getByRole('button', { name: opener, exact: true }).click();
+    const box = await page.locator('[popover]:popover-open').boundingBox();
+    expect((box?.x ?? 0) + (box?.width ?? Infinity)).toBeLessThanOrEqual(1280 - 4);
+    await page.keyboard.press('Escape');
+  }
+});
+
 for (const [width, height] of [
   [320, 640],
   [800, 900],

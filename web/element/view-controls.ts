@@ -66,13 +66,14 @@ export class ViewControls extends LitElement {
         text-overflow: ellipsis;
       }
       select.middle {
-        width: 122px;
+        width: 134px;
       }
       select.narrow {
         width: 96px;
       }
       [popover] {
         inset: auto;
+        width: max-content;
         margin: 0;
         padding: 10px 12px;
         color: var(--ink);

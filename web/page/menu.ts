@@ -32,6 +32,7 @@ export class Menu extends LitElement {
       }
       [popover] {
         inset: auto;
+        width: max-content;
         min-width: 150px;
         margin: 0;
         padding: 4px;
