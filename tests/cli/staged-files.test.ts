@@ -1,6 +1,6 @@
 import { chmodSync, statSync, symlinkSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { StagedFiles } from '../../web/cli/staged-files.ts';
+import { requireWritable, StagedFiles } from '../../web/cli/staged-files.ts';
 import { Folder } from './command.ts';
 
 const folder = new Folder();
@@ -28,6 +28,13 @@ describe('files take their places', () => {
     expect(statSync(folder.at('real')).mode & 0o777).toBe(0o640);
     expect(folder.text('link')).toBe('new');
   });
+});
+
+test('a file that is write-protected is not replaced', async () => {
+  folder.write('guarded', 'old');
+  await expect(requireWritable([folder.at('guarded')])).resolves.toBeUndefined();
+  chmodSync(folder.at('guarded'), 0o444);
+  await expect(requireWritable([folder.at('guarded')])).rejects.toThrow('guarded: this file is write-protected.');
 });
 
 describe('no file changes', () => {

@@ -63,9 +63,14 @@ export async function requireWritable(paths: string[]): Promise<void> {
   for (const path of paths) await requirePlace(path);
 }
 
+/** Of the mode of a file: its owner, its group or others may write to it. */
+const writeBits = constants.S_IWUSR | constants.S_IWGRP | constants.S_IWOTH;
+
 async function requirePlace(path: string): Promise<void> {
   const there = await statOf(path);
   if (there?.isDirectory()) throw new Fault(`${path}: this is a folder, not a file.`);
+  // Putting a file in its place asks its folder alone: one that its owner protects would be replaced all the same.
+  if (there?.isFile() && (there.mode & writeBits) === 0) throw new Fault(`${path}: this file is write-protected.`);
   const place = there && !there.isFile() ? path : dirname(resolve(path));
   await access(place, constants.W_OK).catch((error) => {
     throw faultOf(path, error);
