@@ -151,6 +151,7 @@ describe.each(plyOrders)('PLY, %s', (order) => {
     await expectFault(plyFile(order, [square]), 'no_triangles', '4 points');
     await expectFault(plyFile(order, [square, faces()]), 'no_triangles');
     await expectFault(plyFile(order, [faces([0, 1, 2])]), 'no_points', 'vertex');
+    await expectFault(plyFile(order, [{ ...square, rows: [] }, faces()]), 'no_points', 'The file has no points.');
     const flat = { ...square, properties: ['float x', 'float y'], rows: [[0, 0]] };
     await expectFault(plyFile(order, [flat, faces([0, 0, 0])]), 'no_points', 'x, y and z');
   });

@@ -247,6 +247,7 @@ function joinTriangles(
   if (split > 0) notes.push(`${counted(split, 'face')} with more than three corners split into triangles.`);
   if (strips.ends.length > 0)
     notes.push(`${counted(strips.ends.length, 'triangle strip')} taken apart into triangles.`);
+  if (position.length === 0) throw new FormatError('no_points', 'The file has no points.');
   if (ofFaces.length + ofStrips.length === 0) {
     throw new FormatError('no_triangles', `The file has ${counted(position.length / 3, 'point')}, but no faces.`);
   }
