@@ -323,6 +323,26 @@ test('what is written for people puts neither a bound nor an error below what it
   expect(text).toMatch(/p +2438 +3 % +2438 +1$/);
 });
 
+test('the summary says where the bounds are not those in the table, and powers of ten where digits would mean nothing', () => {
+  const of = (name: string, bound: number, error: number) => ({ name, constant: false, bound, error, ratio: 0.5 });
+  const report = {
+    triangles: { before: 9, after: 3 },
+    variables: [of('position', 0.4, 0.9), of('p', 1.4153e18, 2e6)],
+    turnedAway: { before: 0, after: 0 },
+    regions: [],
+    seconds: 1,
+  } as unknown as Report;
+  const bounds = { '*': { relative: 0.03 } };
+  const plain = reportText(report, { bounds });
+  expect(plain).toMatch(/position +0\.4 +3 % +0\.9 +0\.5$/m);
+  expect(plain).toMatch(/p +1\.416e\+18 +3 % +2000000 +0\.5$/m);
+  expect(plain).not.toContain('multiplied');
+  const special = reportText({ ...report, featureSize: 0.8 }, { bounds, focus: 'near' });
+  expect(special).toMatch(/position +0\.4 +limited +0\.9 +0\.5$/m);
+  expect(special).toMatch(/p +1\.416e\+18 +3 % /m);
+  expect(special).toContain('bounds are multiplied by “near”');
+});
+
 test('the summary tells of triangles that turn away and of folds of the map where there are any', () => {
   const counts = { triangles: { before: 9, after: 3 }, variables: [], regions: [], seconds: 1, cells: 4000 };
   const text = (turnedAway: Report['turnedAway'], foldedCells: number) =>

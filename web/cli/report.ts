@@ -1,4 +1,4 @@
-import type { Report } from '../../wasm/index.ts';
+import type { Bound, Report } from '../../wasm/index.ts';
 import { counted, grouped, listed } from '../formats/wording.ts';
 import type { ReportOptions } from '../session/report-json.ts';
 import { boundOf } from './bound-arguments.ts';
@@ -6,28 +6,44 @@ import { type RegionNames, regionLines } from './region-text.ts';
 import { numberText, roundedUpText, textTable } from './text-table.ts';
 import { turnLines } from './turn-text.ts';
 
+/** What a table of variables needs to know of how it was asked. */
+type AskedFor = Pick<ReportOptions, 'bounds'> & Partial<Pick<ReportOptions, 'focus'>>;
+
 /** The same for people. */
-export function reportText(report: Report, { bounds }: Pick<ReportOptions, 'bounds'>, names?: RegionNames): string {
+export function reportText(report: Report, options: AskedFor, names?: RegionNames): string {
   const {
     triangles: { before, after },
-    variables,
     regions,
     seconds,
   } = report;
   const removed = numberText((100 * (before - after)) / before);
-  const rows = variables.map(({ name, constant, bound, error, ratio }) => {
-    const given = boundOf(bounds, name);
-    if (given === 'free') return [name, 'free', '', roundedUpText(error), ''];
-    const share =
-      'relative' in given ? `${roundedUpText(100 * given.relative)} %${constant ? ' of magnitude' : ''}` : '';
-    return [name, roundedUpText(bound), share, roundedUpText(error), roundedUpText(ratio)];
-  });
   return [
     `${grouped(before)} -> ${counted(after, 'triangle')} (${removed} % removed) in ${seconds.toFixed(2)} s`,
-    textTable([['variable', 'bound', '', 'error', 'error/bound'], ...rows]),
+    textTable([['variable', 'bound', '', 'error', 'error/bound'], ...variableRows(report, options)]),
+    ...focusLines(options),
     ...turnLines(report),
     ...regionLines(regions, names),
   ].join('\n');
+}
+
+function variableRows({ variables, featureSize }: Report, { bounds }: AskedFor): string[][] {
+  return variables.map(({ name, constant, bound, error, ratio }) => {
+    const given = boundOf(bounds, name);
+    if (given === 'free') return [name, 'free', '', roundedUpText(error), ''];
+    const limited = name === 'position' && featureSize !== undefined;
+    const share = limited ? 'limited' : shareText(given, constant);
+    return [name, roundedUpText(bound), share, roundedUpText(error), roundedUpText(ratio)];
+  });
+}
+
+function shareText(given: Exclude<Bound, 'free'>, constant: boolean): string {
+  if (!('relative' in given)) return '';
+  return `${roundedUpText(100 * given.relative)} %${constant ? ' of magnitude' : ''}`;
+}
+
+/** Why an error may be larger than its bound in the table; nothing where it may not. */
+function focusLines({ focus }: AskedFor): string[] {
+  return focus ? [`bounds are multiplied by “${focus}”: error/bound compares with the bound at each place`] : [];
 }
 
 /** A sentence about the variables that no bound was given for; none where there are none. */

@@ -13,9 +13,13 @@ export function textTable(table: string[][]): string {
 /** Significant digits of numbers in tables. */
 const digits = 4;
 
-/** A number for a table: "0.8663", "1.234e-7". */
+/** From here on a number is written with a power of ten: its other digits would be zeros that mean nothing. */
+const largestPlain = 1e7;
+
+/** A number for a table: "0.8663", "1.234e-7", "1.415e+18". */
 export function numberText(value: number): string {
-  return String(Number(value.toPrecision(digits)));
+  const rounded = Number(value.toPrecision(digits));
+  return Math.abs(rounded) < largestPlain ? String(rounded) : rounded.toExponential();
 }
 
 /** The same rounded up: what is guaranteed must not be written smaller than it is. */

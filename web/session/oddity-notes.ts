@@ -42,10 +42,14 @@ export function droppedNotes({ parts, triangles: count }: Report['dropped']): st
   return [`${left} smaller than the bound of position, ${triangles(count)}: left out; nothing is promised of them.`];
 }
 
+/** Significant digits of a feature size in a sentence; the report has them all. */
+const featureDigits = 4;
+
 /** What limited the bound of position, a sentence. */
 export function featureNotes(size: Report['featureSize']): string[] {
   if (size === undefined) return [];
+  const near = Number(size.toPrecision(featureDigits));
   return [
-    `parts of the surface come as near to each other as ${size}: the bound of position is limited to half of it.`,
+    `parts of the surface come as near to each other as ${near}: the bound of position is limited to half of it.`,
   ];
 }
