@@ -8,8 +8,7 @@ import { sayNotes } from './notes.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, openSurface, outputFormat } from './surface-files.ts';
 
-const help = `Writes a surface in another format, with every variable that the format holds and
-cell data of whole numbers.
+const help = `Writes a surface in another format, with every variable that the format holds, and cell data of whole numbers.
 
 Usage: meshbound convert IN OUT
 

@@ -48,7 +48,7 @@ export class ViewerProperties extends LitElement implements WantedView, WantedKe
   /** What retriangulation makes small where errors are propagated: the error `introduced` (default), or the `maximum`. */
   declare cost: Method['cost'] | null;
   /**
-   * Let no part of the surface pierce another one that passes near, in exchange for about half the time more.
+   * Let no part of the surface pierce another one that passes near, which takes about half as long again.
    *
    * @attr refuse-piercing
    */

@@ -73,7 +73,7 @@ export const pageEnglish = {
     refusePiercing: 'Let no part pierce another',
     limitToFeatureSize: 'Limit space to feature size',
     nearParts:
-      'Where parts pass near each other: keep them apart exactly, in about half the time more; or limit the bound in space to half their distance.',
+      'Where parts pass near each other: keep them apart exactly, which takes about half as long again; or limit the bound in space to half their distance.',
     dropSmallParts: 'Drop parts smaller than the bound',
     smallParts:
       'Parts of the surface whose box has a diagonal within the bound in space are left out and counted; the promise is about the rest.',
@@ -167,7 +167,7 @@ export const pageEnglish = {
     badRadius: 'The radius must be above zero.',
     badFactor: 'The factor must be above zero and at most 1.',
     means:
-      'At each point of the original every bound is multiplied by f, what stands there: 0.1 makes it ten times finer, 2 twice as loose. Near a place it is the factor within the radius, and rises to 1 at twice the radius. Errors are then compared with the multiplied bounds.',
+      'At each point of the original every bound is multiplied by the value there of the variable chosen: 0.1 makes it ten times finer, 2 twice as loose. Near a place it is multiplied by the factor, within the radius; from there the factor rises to 1 at twice the radius. Errors are then compared with the multiplied bounds.',
   },
 
   numbers: { none: 'A number is needed.' },
