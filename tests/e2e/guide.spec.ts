@@ -27,7 +27,8 @@ test('the page about the element shows it at work, and names everything that it 
     observed.filter((name) => name !== 'drawnonce').sort(),
   );
   expect(members.filter(({ description }) => !description)).toEqual([]);
-  for (const { name } of [...members, ...cssParts, ...cssProperties]) {
+  const attributes = members.flatMap(({ attribute }) => (attribute ? [{ name: attribute }] : []));
+  for (const { name } of [...attributes, ...members, ...cssParts, ...cssProperties]) {
     await expect(page.locator('td:first-child code').getByText(name, { exact: true }).first()).toBeAttached();
   }
   await viewer.locator('#original').press('Enter');

@@ -28,7 +28,11 @@ export function referenceOf({ modules }: Manifest): DocumentFragment {
   const others = members.filter(({ kind, attribute }) => kind === 'field' && !attribute);
   const page = document.createDocumentFragment();
   const tables: [string, Entry[], (entry: Entry) => string][] = [
-    ['Attributes, and properties of the same names', members.filter(({ attribute }) => attribute), typeOf],
+    [
+      'Attributes, and below them the properties that are named otherwise',
+      members.filter(({ attribute }) => attribute),
+      typeOf,
+    ],
     ['Further properties', others, typeOf],
     ['Methods', methods, signatureOf],
     ['Events', events, typeOf],
@@ -38,6 +42,11 @@ export function referenceOf({ modules }: Manifest): DocumentFragment {
   ];
   for (const [title, entries, about] of tables) page.append(heading(title), table(entries, about));
   return page;
+}
+
+/** What HTML calls it, and what JavaScript does. */
+function namesOf({ name, attribute = name }: Entry): string[] {
+  return attribute === name ? [name] : [attribute, name];
 }
 
 function typeOf({ type }: Entry): string {
@@ -63,7 +72,7 @@ function table(entries: Entry[], about: (entry: Entry) => string): HTMLElement {
   const rows = document.createElement('table');
   for (const entry of entries) {
     const row = rows.insertRow();
-    row.insertCell().append(code(entry.name));
+    row.insertCell().append(...namesOf(entry).map(code));
     row.insertCell().append(...(about(entry) ? [code(about(entry))] : []));
     row.insertCell().append(...prose(entry.description ?? ''));
   }
