@@ -304,6 +304,20 @@ test('finds workers and WebAssembly elsewhere where the page says so', async ({ 
   expect(beside).toEqual([]);
 });
 
+test('on a phone the surfaces are stacked, and most of each is seen between its caption and its legend', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await openOwnPage(page, '<meshbound-viewer src="samples/fireballs.ply"></meshbound-viewer>');
+  await expect(page.locator('#reduced .caption')).toContainText(/Reduced [1-9]/, { timeout: 30_000 });
+  for (const pane of ['#original', '#reduced']) {
+    const boxes = ['', ' .caption', ' meshbound-legend'].map((part) => page.locator(pane + part).boundingBox());
+    const [whole, caption, legend] = (await Promise.all(boxes)).map((box) => box?.height ?? 0);
+    expect(caption + legend).toBeLessThan(whole / 2);
+    expect(caption + legend).toBeGreaterThan(0);
+  }
+});
+
 test('several on a page are each for themselves', async ({ page }) => {
   await openOwnPage(
     page,

@@ -9,6 +9,12 @@ export const viewerStyle = css`
     aspect-ratio: 2;
     background: var(--panel);
   }
+  /* High enough to stack the surfaces: side by side, captions and legends would cover them. */
+  @media (max-width: 600px) {
+    :host {
+      aspect-ratio: 4 / 5;
+    }
+  }
   :host([hidden]) {
     display: none;
   }
