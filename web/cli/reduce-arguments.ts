@@ -98,23 +98,12 @@ export function parseRequest(args: string[]): Request {
   const { values, positionals } = parseArguments(args, signature);
   if (!values.output) throw new UsageFault('-o OUT is missing.');
   const errors = oneOf('--errors', values.errors, ['tracked', 'propagated']);
-  if (values.map && values.levels !== undefined) throw new UsageFault('--map goes with one result, not with --levels.');
-  if (values.map && errors === 'propagated') throw new UsageFault('--map goes with --errors tracked.');
-  if (values['lock-region'].length > 0 && values.region === undefined) {
-    throw new UsageFault('--lock-region goes with --region NAME, which says what the regions are.');
-  }
+  requireTogether(values);
   const cost = oneOf('--cost', values.cost, ['max', 'introduced']);
   const levels = values.levels === undefined ? undefined : parseLevels(values.levels, values.bound);
   const bounds = levels?.[0] ?? parseBounds(values.bound);
   for (const path of [values.output, values.map]) if (path) outputFormat(path);
-  const keeping = {
-    region: values.region,
-    focus: parseFocus(values.focus),
-    dropSmallParts: values['drop-small'],
-    points: values['lock-points'].flatMap(parsePoints),
-    regionsToLock: values['lock-region'].map(parseRegion),
-    lockedBoxes: values['lock-box'].map(parseBox),
-  };
+  const keeping = parseKeeping(values);
   return {
     input: positionals[0],
     output: values.output,
@@ -139,5 +128,26 @@ export function parseRequest(args: string[]): Request {
     map: values.map,
     report: values.report,
     quiet: values.quiet,
+  };
+}
+
+type Values = ReturnType<typeof parseArguments<typeof signature.options>>['values'];
+
+function requireTogether({ map, levels, errors, region, 'lock-region': regions }: Values): void {
+  if (map && levels !== undefined) throw new UsageFault('--map goes with one result, not with --levels.');
+  if (map && errors === 'propagated') throw new UsageFault('--map goes with --errors tracked.');
+  if (regions.length > 0 && region === undefined) {
+    throw new UsageFault('--lock-region goes with --region NAME, which says what the regions are.');
+  }
+}
+
+function parseKeeping(values: Values): Keeping {
+  return {
+    region: values.region,
+    focus: parseFocus(values.focus),
+    dropSmallParts: values['drop-small'],
+    points: values['lock-points'].flatMap(parsePoints),
+    regionsToLock: values['lock-region'].map(parseRegion),
+    lockedBoxes: values['lock-box'].map(parseBox),
   };
 }

@@ -404,35 +404,11 @@ export class MeshboundViewer extends ViewerProperties {
   }
 
   override render() {
-    const { surface, progress, notices, keeping } = this.session.state;
+    const { notices } = this.session.state;
     return html`
       ${this.controls ? this.#controls() : nothing}
       <div class="stage" part="stage">
-        <meshbound-stage
-          role="group"
-          aria-label=${this.alt ?? (surface?.name || nothing)}
-          exportparts="pane, caption, legend, legend-title, legend-bar, legend-ticks, canvas, divider, marker, probe"
-          .surface=${surface}
-          .result=${answerOf(this.session.state)?.result ?? null}
-          .levels=${this.#levelView}
-          .keeping=${keeping}
-          .position=${this.levels.state.position}
-          .pixels=${this.levels.state.pixels}
-          @level-wanted=${({ detail }: CustomEvent<number>) => this.#motion.towards(detail)}
-          .reducing=${progress !== null}
-          .settings=${this.settings}
-          .probe=${this.#probing.state}
-          @stage-shown=${this.#stageShown}
-          @stage-point=${({ detail }: CustomEvent<Pointed | null>) =>
-            this.#probing.point(detail?.from ?? 'original', detail?.place ?? null)}
-          @stage-pin=${({ detail }: CustomEvent<Pointed | null>) =>
-            this.#probing.pin(detail?.from ?? 'original', detail?.place ?? null)}
-          @stage-worst=${({ detail }: CustomEvent<string>) => this.probeWorst(detail)}
-          @keydown=${(event: KeyboardEvent) => event.key === 'Escape' && this.unpin()}
-          @stage-drawn=${this.#stageDrawn}
-          @stage-camera=${({ detail }: CustomEvent<string | null>) => this.#events.cameraMoved(detail)}
-          @stage-fault=${this.#stageFault}
-        ></meshbound-stage>
+        ${this.#surfaces()}
         ${this.drawnOnce ? nothing : this.#poster()}
         ${this.#progress()}
         <meshbound-notices
@@ -444,6 +420,35 @@ export class MeshboundViewer extends ViewerProperties {
       ${this.controls && this.levelCount > 0 ? this.#levels() : nothing}
       ${this.controls ? this.#result() : nothing}
     `;
+  }
+
+  #surfaces() {
+    const { surface, progress, keeping } = this.session.state;
+    return html`<meshbound-stage
+      role="group"
+      aria-label=${this.alt ?? (surface?.name || nothing)}
+      exportparts="pane, caption, legend, legend-title, legend-bar, legend-ticks, canvas, divider, marker, probe"
+      .surface=${surface}
+      .result=${answerOf(this.session.state)?.result ?? null}
+      .levels=${this.#levelView}
+      .keeping=${keeping}
+      .position=${this.levels.state.position}
+      .pixels=${this.levels.state.pixels}
+      @level-wanted=${({ detail }: CustomEvent<number>) => this.#motion.towards(detail)}
+      .reducing=${progress !== null}
+      .settings=${this.settings}
+      .probe=${this.#probing.state}
+      @stage-shown=${this.#stageShown}
+      @stage-point=${({ detail }: CustomEvent<Pointed | null>) =>
+        this.#probing.point(detail?.from ?? 'original', detail?.place ?? null)}
+      @stage-pin=${({ detail }: CustomEvent<Pointed | null>) =>
+        this.#probing.pin(detail?.from ?? 'original', detail?.place ?? null)}
+      @stage-worst=${({ detail }: CustomEvent<string>) => this.probeWorst(detail)}
+      @keydown=${(event: KeyboardEvent) => event.key === 'Escape' && this.unpin()}
+      @stage-drawn=${this.#stageDrawn}
+      @stage-camera=${({ detail }: CustomEvent<string | null>) => this.#events.cameraMoved(detail)}
+      @stage-fault=${this.#stageFault}
+    ></meshbound-stage>`;
   }
 
   #poster() {

@@ -9,7 +9,7 @@ import { surfaceAmong } from '../formats/surface-among.ts';
 import { messageOf } from '../session/failure.ts';
 import { type Keeping, nothingKept } from '../session/keeping.ts';
 import type { Method } from '../session/method.ts';
-import { answerOf } from '../session/session-state.ts';
+import { answerOf, type Reduced } from '../session/session-state.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';
@@ -145,78 +145,103 @@ export class App extends LitElement {
   }
 
   override render() {
-    const { session } = this.viewer;
-    const { surface, bounds, canUndo, canRedo, method, keeping, opening, progress, cancelled } = session.state;
-    const result = answerOf(session.state)?.result ?? null;
-    const measured = result !== null && isMeasured(result);
     return html`
-      <meshbound-toolbar
-        role="banner"
-        .samples=${this.samples}
-        .opening=${opening}
-        .surface=${surface}
-        .bounds=${bounds}
-        .settings=${this.viewer.settings}
-        @open-files=${({ detail }: CustomEvent<File[]>) => this.#openFiles(detail)}
-        @open-sample=${({ detail }: CustomEvent<Sample>) => this.#openSample(detail)}
-        @view-change=${({ detail }: CustomEvent<Partial<WantedView>>) => this.#set(detail)}
-        @fit=${() => this.viewer.fit()}
-        @look-from=${({ detail }: CustomEvent<ViewDirection>) => this.viewer.lookFrom(detail)}
-      >
-        ${this.#shareMenu()}
-        <button aria-label=${pageEnglish.keys.title} title=${pageEnglish.keys.hint} @click=${() => this.#toggleKeys()}>
-          ${pageEnglish.keys.sign}
-        </button>
-      </meshbound-toolbar>
-      <div class="bounds" role="region" aria-label=${english.bounds.title}>
-        <meshbound-bounds-panel
-          .surface=${surface}
-          .bounds=${bounds}
-          .method=${method}
-          .keeping=${keeping}
-          .pinned=${this.#pinned}
-          @keeping-change=${({ detail }: CustomEvent<Partial<Keeping>>) => this.#set(keepingText({ ...keeping, ...detail }))}
-          .report=${result?.report ?? null}
-          .unmetBoxes=${session.state.reduced?.result.report.unmetBoxes ?? []}
-          .reduction=${result}
-          .measured=${measured}
-          .curve=${this.#curve.points}
-          @chart-toggle=${({ detail }: CustomEvent<boolean>) => this.#showChart(detail)}
-          .canUndo=${canUndo}
-          .canRedo=${canRedo}
-          @undo=${() => session.undo()}
-          @redo=${() => session.redo()}
-          @bounds-change=${({ detail }: CustomEvent<BoundChange>) => this.#changeBounds(detail)}
-          @worst-wanted=${({ detail }: CustomEvent<string>) => this.#showWorst(detail)}
-          @method-change=${({ detail }: CustomEvent<Method>) => this.#set(detail)}
-        ></meshbound-bounds-panel>
-      </div>
-      ${this.viewer}
-      <meshbound-levels-panel
-        role="region"
-        aria-label=${english.levels.region}
-        .levels=${this.viewer.levels.state}
-        ?disabled=${!surface}
-        @level-count=${({ detail }: CustomEvent<number>) => this.viewer.levels.setCount(detail)}
-        @level-pixels=${({ detail }: CustomEvent<number | null>) => this.viewer.levels.setPixels(detail)}
-        @level-position=${({ detail }: CustomEvent<number>) => this.viewer.levels.setPosition(detail)}
-      ></meshbound-levels-panel>
-      <meshbound-result-bar
-        role="contentinfo"
-        .report=${this.viewer.shown?.result.report ?? null}
-        .measured=${measured}
-        ?multiplied=${result?.multiplier !== undefined}
-        .opening=${opening}
-        .progress=${progress}
-        .cancelled=${cancelled}
-        @cancel=${() => session.cancel()}
-        @reduce-again=${() => session.reduceAgain()}
-      >
-        ${this.#saveMenu(result !== null)}
-      </meshbound-result-bar>
+      ${this.#toolbar()} ${this.#boundsPanel()} ${this.viewer} ${this.#levelsPanel()} ${this.#resultBar()}
       <meshbound-key-sheet></meshbound-key-sheet>
       <div class="drop ${this.#drop.hovering ? 'hovering' : ''}">${pageEnglish.page.drop}</div>
     `;
+  }
+
+  #toolbar() {
+    const { opening, surface, bounds } = this.viewer.session.state;
+    return html`<meshbound-toolbar
+      role="banner"
+      .samples=${this.samples}
+      .opening=${opening}
+      .surface=${surface}
+      .bounds=${bounds}
+      .settings=${this.viewer.settings}
+      @open-files=${({ detail }: CustomEvent<File[]>) => this.#openFiles(detail)}
+      @open-sample=${({ detail }: CustomEvent<Sample>) => this.#openSample(detail)}
+      @view-change=${({ detail }: CustomEvent<Partial<WantedView>>) => this.#set(detail)}
+      @fit=${() => this.viewer.fit()}
+      @look-from=${({ detail }: CustomEvent<ViewDirection>) => this.viewer.lookFrom(detail)}
+    >
+      ${this.#shareMenu()}
+      <button aria-label=${pageEnglish.keys.title} title=${pageEnglish.keys.hint} @click=${() => this.#toggleKeys()}>
+        ${pageEnglish.keys.sign}
+      </button>
+    </meshbound-toolbar>`;
+  }
+
+  /** The result at hand, whether it is provisional or not. */
+  get #result(): Reduced['result'] | null {
+    return answerOf(this.viewer.session.state)?.result ?? null;
+  }
+
+  get #isMeasured(): boolean {
+    return this.#result !== null && isMeasured(this.#result);
+  }
+
+  #boundsPanel() {
+    const { session } = this.viewer;
+    const { surface, bounds, canUndo, canRedo, method, keeping, reduced } = session.state;
+    const result = this.#result;
+    return html`<div class="bounds" role="region" aria-label=${english.bounds.title}>
+      <meshbound-bounds-panel
+        .surface=${surface}
+        .bounds=${bounds}
+        .method=${method}
+        .keeping=${keeping}
+        .pinned=${this.#pinned}
+        .report=${result?.report ?? null}
+        .unmetBoxes=${reduced?.result.report.unmetBoxes ?? []}
+        .reduction=${result}
+        .measured=${this.#isMeasured}
+        .curve=${this.#curve.points}
+        .canUndo=${canUndo}
+        .canRedo=${canRedo}
+        @undo=${() => session.undo()}
+        @redo=${() => session.redo()}
+        @bounds-change=${({ detail }: CustomEvent<BoundChange>) => this.#changeBounds(detail)}
+        @worst-wanted=${({ detail }: CustomEvent<string>) => this.#showWorst(detail)}
+        @chart-toggle=${({ detail }: CustomEvent<boolean>) => this.#showChart(detail)}
+        @method-change=${({ detail }: CustomEvent<Method>) => this.#set(detail)}
+        @keeping-change=${({ detail }: CustomEvent<Partial<Keeping>>) => this.#set(keepingText({ ...keeping, ...detail }))}
+      ></meshbound-bounds-panel>
+    </div>`;
+  }
+
+  #levelsPanel() {
+    const { levels, session } = this.viewer;
+    return html`<meshbound-levels-panel
+      role="region"
+      aria-label=${english.levels.region}
+      .levels=${levels.state}
+      ?disabled=${!session.state.surface}
+      @level-count=${({ detail }: CustomEvent<number>) => levels.setCount(detail)}
+      @level-pixels=${({ detail }: CustomEvent<number | null>) => levels.setPixels(detail)}
+      @level-position=${({ detail }: CustomEvent<number>) => levels.setPosition(detail)}
+    ></meshbound-levels-panel>`;
+  }
+
+  #resultBar() {
+    const { session, shown } = this.viewer;
+    const { opening, progress, cancelled } = session.state;
+    const result = this.#result;
+    return html`<meshbound-result-bar
+      role="contentinfo"
+      .report=${shown?.result.report ?? null}
+      .measured=${this.#isMeasured}
+      ?multiplied=${result?.multiplier !== undefined}
+      .opening=${opening}
+      .progress=${progress}
+      .cancelled=${cancelled}
+      @cancel=${() => session.cancel()}
+      @reduce-again=${() => session.reduceAgain()}
+    >
+      ${this.#saveMenu(result !== null)}
+    </meshbound-result-bar>`;
   }
 
   #saveMenu(hasResult: boolean) {
