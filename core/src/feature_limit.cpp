@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "measured_bounds.hpp"
 #include "meshbound/feature_size.hpp"
 #include "number_text.hpp"
-#include "rows.hpp"
 
 namespace meshbound {
 namespace {
@@ -37,7 +37,7 @@ Status limit_to_feature_size(const Mesh& mesh, const Options& options, std::vect
     if (!size) return {};
     for (std::vector<ResolvedBound>& bounds : levels) {
         bounds[0].absolute = std::min(bounds[0].absolute, *size / 2);
-        if (!(rounding_margin(bounds[0]) < largest_rounding_margin)) return too_fine(*size);
+        if (!can_be_carried(bounds[0])) return too_fine(*size);
     }
     return {};
 }
