@@ -28,7 +28,7 @@ enum class Refusal : std::uint8_t {
 /// One is kept for every vertex.
 struct Verdict {
     Refusal refusal = Refusal::none;
-    std::uint16_t variable = 0; ///< with Refusal::bound: the one in which it would break (of 65 535 variables) …
+    std::uint16_t variable = 0; ///< with Refusal::bound: the one in which it would break (see validate for how many) …
     float squared_ratio = 0;    ///< … and at least this squared ratio to the bound, or nearly, would have resulted
 };
 

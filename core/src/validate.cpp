@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "orientation.hpp"
+#include "removal.hpp"
 
 namespace meshbound {
 namespace {
@@ -17,6 +18,9 @@ constexpr int most_components = 64;
 /// Vertices and half-edges are named by 32-bit indices, the largest of which means "none".
 constexpr std::size_t most_triangles = std::numeric_limits<std::uint32_t>::max() / 3 - 1;
 constexpr std::size_t most_vertices = std::numeric_limits<std::uint32_t>::max() - 1;
+
+/// What keeps a candidate from being removed is noted by the number of the variable; 0 is position.
+constexpr std::size_t most_variables = std::numeric_limits<decltype(Verdict::variable)>::max();
 
 std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 
@@ -29,6 +33,12 @@ Status check_sizes(const Mesh& mesh) {
                 {}};
     if (vertex_count(mesh) > most_vertices || mesh.triangles.size() > most_triangles)
         return {Fault::too_large, "The mesh has more vertices or triangles than 32-bit indices can name.", "", {}};
+    if (mesh.variables.size() > most_variables)
+        return {Fault::too_large,
+                "The mesh has " + std::to_string(mesh.variables.size()) + " variables; at most " +
+                    std::to_string(most_variables) + " can be carried.",
+                "",
+                {}};
     return {};
 }
 

@@ -161,6 +161,27 @@ TEST(Validate, WrongValueCount) {
     EXPECT_EQ(fault_of([](Input& input) { doubles(input.mesh.variables[1]).clear(); }).fault, Fault::wrong_value_count);
 }
 
+/// A plate with so many variables that say nothing, and a last one that holds its one inner vertex in place.
+Mesh with_variables(std::size_t count) {
+    Mesh mesh = meshes::plane(2, 2);
+    for (std::size_t i = 1; i < count; ++i)
+        mesh.variables.push_back({std::to_string(i), 1, std::vector<float>(vertex_count(mesh))});
+    meshes::add_scalar(mesh, "last", [](glm::dvec3 p) { return p.x * p.x + p.y * p.y; });
+    return mesh;
+}
+
+TEST(Validate, MoreVariablesThanCanBeNumbered) {
+    constexpr std::size_t most = 65'535;
+    const Status status = validate(with_variables(most + 1));
+    EXPECT_EQ(status.fault, Fault::too_large);
+    EXPECT_THAT(status.message, HasSubstr("has 65536 variables; at most 65535"));
+
+    const Mesh mesh = with_variables(most);
+    const Reduction reduction = promise::reduced(mesh, {{"last", relative(1e-3)}});
+    EXPECT_EQ(reduction.report.variables.back().name, "last");
+    EXPECT_GT(reduction.report.variables.back().refused, 0U) << "what the last one refuses counts for another";
+}
+
 TEST(Validate, EmptyName) {
     const Status status = fault_of([](Input& input) { input.mesh.variables[1].name = ""; });
     EXPECT_EQ(status.fault, Fault::empty_name);
