@@ -118,8 +118,8 @@ val segment_mesh(const val& mesh, const val& reduction, const val& on_progress) 
         const Mesh input = mesh_from(mesh);
         const Reduction output = mapped_reduction_from(reduction);
         Segmentation segmentation;
-        segment({input, output}, segmentation, progress_from(on_progress));
-        return success(segmentation_to(segmentation));
+        const Status status = segment({input, output}, segmentation, progress_from(on_progress));
+        return status.ok() ? success(segmentation_to(segmentation)) : failure(status);
     });
 }
 

@@ -27,6 +27,28 @@ export function checkMesh({ position, triangles, variables, regions }: Mesh): vo
   for (const { name, values } of variables) checkValues(values, `values of "${name}"`);
 }
 
+/** The same of what says where the vertices of a reduced mesh come from. */
+export function checkVertices(vertices: unknown): void {
+  if (!(vertices instanceof Uint32Array)) throw new TypeError('The vertices must be a Uint32Array.');
+}
+
+const mapArrays = {
+  triangle: Uint32Array,
+  barycentric: Float64Array,
+  crossingEdges: Uint32Array,
+  crossingPlaces: Float64Array,
+  crossingRightward: Uint8Array,
+} as const;
+
+/** The same of a map. */
+export function checkMap(map: SurfaceMap): void {
+  for (const [name, type] of Object.entries(mapArrays)) {
+    if (!(map[name as keyof SurfaceMap] instanceof type)) {
+      throw new TypeError(`The map's ${name} must be a ${type.name}.`);
+    }
+  }
+}
+
 /** A copy whose buffers are its own, so that they can be transferred while the caller's stay as they are. */
 export function copyMesh({ position, triangles, variables, regions }: Mesh): Mesh {
   const copyVariable = ({ name, components, values }: Variable) => ({ name, components, values: values.slice() });

@@ -20,6 +20,7 @@ export type ErrorCode =
   | 'bad_option'
   | 'bad_levels'
   | 'bad_waypoint'
+  | 'bad_map'
   | 'too_large'
   | 'out_of_memory'
   | 'internal'
@@ -36,7 +37,7 @@ export interface Failure {
   index?: number;
 }
 
-/** What `reduce` and `inspect` reject with when a mesh, a bound or an option is at fault. */
+/** What calls reject with when a mesh, a bound, an option, a waypoint or a map is at fault. */
 export class MeshboundError extends Error implements Failure {
   readonly code: ErrorCode;
   readonly variable?: string;

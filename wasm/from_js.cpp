@@ -104,12 +104,25 @@ std::vector<Box> boxes_from(const val& boxes) {
     return result;
 }
 
+/// So that what belongs together can be read side by side.
+void check_length(const char* array, std::size_t length, std::size_t each, std::size_t count, const char* of) {
+    if (length == each * count) return;
+    throw ShapeError{{Fault::bad_map,
+                      "The map's " + std::string(array) + " has " + std::to_string(length) + " numbers; " +
+                          std::to_string(count) + " " + of + " need " + std::to_string(each) + " each.",
+                      {},
+                      {}}};
+}
+
 SurfaceMap map_from(const val& map) {
     const auto triangle = vector_from<std::uint32_t>(map["triangle"]);
     const auto barycentric = vector_from<double>(map["barycentric"]);
     const auto edges = vector_from<std::uint32_t>(map["crossingEdges"]);
     const auto places = vector_from<double>(map["crossingPlaces"]);
     const auto rightward = vector_from<std::uint8_t>(map["crossingRightward"]);
+    check_length("barycentric", barycentric.size(), 3, triangle.size(), "vertices");
+    check_length("crossingEdges", edges.size(), 4, rightward.size(), "crossings");
+    check_length("crossingPlaces", places.size(), 2, rightward.size(), "crossings");
     SurfaceMap result;
     for (std::size_t i = 0; i < triangle.size(); ++i) {
         const double* shares = &barycentric[3 * i];
@@ -145,22 +158,40 @@ std::vector<T> list_from(const val& list, Convert convert) {
     return result;
 }
 
+/// A part of a waypoint, refused where it is not there.
+val present(const val& part, const char* name) {
+    if (!part.isUndefined() && !part.isNull()) {
+        return part;
+    }
+    throw ShapeError{
+        {Fault::bad_waypoint, "The waypoint has no \"" + std::string(name) + "\" where it should.", {}, {}}};
+}
+
+val part_of(const val& whole, const char* name) { return present(whole[name], name); }
+
+template <class T, class Convert>
+std::vector<T> list_in(const val& whole, const char* name, Convert convert) {
+    return list_from<T>(part_of(whole, name), [&](const val& element) { return convert(present(element, name)); });
+}
+
+std::string text_from(const val& text) { return text.isString() ? text.as<std::string>() : std::string(); }
+
 VariableReport variable_report_from(const val& report) {
     VariableReport result;
-    result.name = report["name"].as<std::string>();
-    result.components = report["components"].as<int>();
+    result.name = text_from(report["name"]);
     result.bound.extent = number_from(report["extent"]);
     result.bound.magnitude = number_from(report["magnitude"]);
     result.bound.constant = report["constant"].isTrue();
-    result.bound.absolute = number_from(report["bound"]);
     result.error = number_from(report["error"]);
     return result;
 }
 
 RegionReport region_report_from(const val& region) {
-    return {region["label"].as<std::int32_t>(), count_from(region["triangles"]["before"]),
-            count_from(region["triangles"]["after"]), number_from(region["area"]["before"]),
-            number_from(region["area"]["after"])};
+    RegionReport result;
+    result.label = part_of(region, "label").as<std::int32_t>();
+    result.triangles_before = count_from(part_of(region, "triangles")["before"]);
+    result.area_before = number_from(part_of(region, "area")["before"]);
+    return result;
 }
 
 Oddities oddities_from(const val& oddities) {
@@ -176,15 +207,16 @@ Oddities oddities_from(const val& oddities) {
     return result;
 }
 
-/// What a waypoint's report says of the original, and what was spent.
+/// What a waypoint's report says of the original, and what was spent; the core reads nothing else of it.
 Report report_from(const val& report) {
     Report result;
-    result.triangles_before = count_from(report["triangles"]["before"]);
-    result.vertices_before = count_from(report["vertices"]["before"]);
-    result.variables = list_from<VariableReport>(report["variables"], variable_report_from);
-    result.oddities = oddities_from(report["oddities"]);
-    result.dropped = {count_from(report["dropped"]["parts"]), count_from(report["dropped"]["triangles"])};
-    result.regions = list_from<RegionReport>(report["regions"], region_report_from);
+    result.triangles_before = count_from(part_of(report, "triangles")["before"]);
+    result.vertices_before = count_from(part_of(report, "vertices")["before"]);
+    result.variables = list_in<VariableReport>(report, "variables", variable_report_from);
+    result.oddities = oddities_from(part_of(report, "oddities"));
+    const val dropped = part_of(report, "dropped");
+    result.dropped = {count_from(dropped["parts"]), count_from(dropped["triangles"])};
+    result.regions = list_in<RegionReport>(report, "regions", region_report_from);
     result.non_manifold_vertices = count_from(report["nonManifoldVertices"]);
     return result;
 }
@@ -272,7 +304,7 @@ bool wants_waypoint(const val& options) {
 
 Waypoint waypoint_from(const val& waypoint) {
     return {mesh_from(waypoint["mesh"]), vector_from<std::uint32_t>(waypoint["vertices"]),
-            report_from(waypoint["report"])};
+            report_from(part_of(waypoint, "report"))};
 }
 
 Reduction mapped_reduction_from(const val& reduction) {

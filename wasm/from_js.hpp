@@ -32,10 +32,10 @@ Options options_from(const emscripten::val& options);
 /// Whether `ReduceOptions` ask for the waypoint. Throws ShapeError.
 bool wants_waypoint(const emscripten::val& options);
 
-/// A `Waypoint` of wasm/types.ts.
+/// A `Waypoint` of wasm/types.ts. Throws ShapeError.
 Waypoint waypoint_from(const emscripten::val& waypoint);
 
-/// Of a `Reduction` its mesh, vertices and map: what says where the mesh that was reduced went.
+/// Of a `Reduction` its mesh, vertices and map: what says where the mesh that was reduced went. Throws ShapeError.
 Reduction mapped_reduction_from(const emscripten::val& reduction);
 
 } // namespace meshbound::js

@@ -1,4 +1,4 @@
-import { checkMesh, copyMap, copyMesh } from './copy-mesh.ts';
+import { checkMap, checkMesh, checkVertices, copyMap, copyMesh } from './copy-mesh.ts';
 import type { Inspection } from './inspection.ts';
 import { TaskQueue } from './task-queue.ts';
 import type {
@@ -53,6 +53,7 @@ export async function reduceOnward(waypoint: Waypoint, options: OnwardOptions): 
   const { signal, onProgress, locked, ...rest } = options;
   const { mesh, vertices, report } = waypoint;
   checkMesh(mesh);
+  checkVertices(vertices);
   const task = {
     kind: 'reduceOnward',
     waypoint: { mesh: copyMesh(mesh), vertices: vertices.slice(), report },
@@ -81,7 +82,8 @@ export async function reduceLevels(mesh: Mesh, options: LevelsOptions): Promise<
 /**
  * Cuts a mesh into pieces that the map of its reduction takes linearly into one triangle each: what tells of any point where
  * it went, and from where it came. `reduction` is that of this mesh, with tracked errors: else there is no map, and a
- * TypeError says so. The arrays stay the caller's. Rejects as `reduce` does.
+ * TypeError says so. The arrays stay the caller's. Rejects as `reduce` does; with the code `bad_map` where the map is not one
+ * from this mesh onto the reduced one.
  */
 export async function segment(
   mesh: Mesh,
@@ -90,8 +92,10 @@ export async function segment(
 ): Promise<Segmentation> {
   const { vertices, map } = reduction;
   checkMesh(mesh);
-  if (!map) throw new TypeError('The reduction has no map: only tracked errors make one.');
-  if (3 * map.triangle.length !== mesh.position.length) throw new TypeError('The reduction is not one of this mesh.');
+  checkMesh(reduction.mesh);
+  checkVertices(vertices);
+  if (map) checkMap(map);
+  if (!map?.triangle.length) throw new TypeError('The reduction has no map: only tracked errors make one.');
   const task = {
     kind: 'segment',
     mesh: copyMesh({ ...mesh, variables: [] }),

@@ -1,8 +1,6 @@
 #include "check_waypoint.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace meshbound {
@@ -12,16 +10,28 @@ Status inconsistent(const std::string& message, const std::string& variable = ""
     return {Fault::bad_waypoint, message, variable, {}};
 }
 
+Status wrong_vertex(const Waypoint& waypoint, std::size_t v, const std::string& why) {
+    return {Fault::bad_waypoint,
+            "Vertex " + std::to_string(v) + " of the waypoint is said to be vertex " +
+                std::to_string(waypoint.vertices[v]) + " of the original, " + why,
+            "", v};
+}
+
 Status check_vertices(const Waypoint& waypoint) {
     const auto& vertices = waypoint.vertices;
     if (vertices.size() != vertex_count(waypoint.mesh))
         return inconsistent("The waypoint has " + std::to_string(vertex_count(waypoint.mesh)) +
                             " vertices and says of " + std::to_string(vertices.size()) + " where they come from.");
-    if (std::adjacent_find(vertices.begin(), vertices.end(), std::greater_equal<>()) != vertices.end())
-        return inconsistent("The waypoint's vertices are not in the order of the original's.");
-    if (vertices.back() >= waypoint.report.vertices_before)
-        return inconsistent("The waypoint has vertex " + std::to_string(vertices.back()) + " of an original of " +
-                            std::to_string(waypoint.report.vertices_before) + " vertices (counted from 0).");
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        if (vertices[v] >= waypoint.report.vertices_before)
+            return wrong_vertex(waypoint, v,
+                                "which has " + std::to_string(waypoint.report.vertices_before) +
+                                    " vertices (counted from 0).");
+        if (v > 0 && vertices[v] <= vertices[v - 1])
+            return wrong_vertex(waypoint, v,
+                                "but the one before to be vertex " + std::to_string(vertices[v - 1]) +
+                                    "; they must rise.");
+    }
     return {};
 }
 

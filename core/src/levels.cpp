@@ -87,11 +87,10 @@ MappedSurfaces to_last(const Mesh& mesh, const Levels& levels) {
     return {levels.levels[last - 1].mesh, levels.levels[last].mesh, levels.links[last - 1]};
 }
 
-Levels reduce_all(const Mesh& mesh, const LevelBounds& bounds, const LevelOptions& options, const Oddities& oddities,
-                  Ticker& ticker) {
+Status reduce_all(const Mesh& mesh, const LevelBounds& bounds, const LevelOptions& options, const Oddities& oddities,
+                  Levels& levels, Ticker& ticker) {
     const bool tracked = options.reduction.errors == Errors::tracked;
     const bool links = tracked && (options.links || options.morphs), morphs = tracked && options.morphs;
-    Levels levels;
     ReductionRun run(mesh, options.reduction, oddities, ticker);
     for (std::size_t level = 0; level < bounds.size() && !ticker.cancelled(); ++level) {
         const bool linked = links && level > 0;
@@ -101,11 +100,12 @@ Levels reduce_all(const Mesh& mesh, const LevelBounds& bounds, const LevelOption
         if (linked && !ticker.cancelled()) levels.links.push_back(std::move(link));
         if (!morphs || ticker.cancelled()) continue;
         Morph morph;
-        make_morph(to_last(mesh, levels), morph, [&ticker](double) { return ticker.ask(); });
+        Status status = make_morph(to_last(mesh, levels), morph, [&ticker](double) { return ticker.ask(); });
+        if (!status.ok()) return of_level(level, status);
         if (!ticker.cancelled()) levels.morphs.push_back(std::move(morph));
         else levels.levels.back().report.stopped = Stopped::cancelled;
     }
-    return levels;
+    return {};
 }
 
 } // namespace
@@ -124,8 +124,10 @@ Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const 
         std::optional<double> feature;
         if (Status status = limit_to_feature_size(mesh, options.reduction, resolved, feature, ticker); !status.ok())
             return status;
-        levels = reduce_all(mesh, resolved, options, oddities, ticker);
-        for (Reduction& level : levels.levels) level.report.feature_size = feature;
+        Levels reduced;
+        if (Status status = reduce_all(mesh, resolved, options, oddities, reduced, ticker); !status.ok()) return status;
+        for (Reduction& level : reduced.levels) level.report.feature_size = feature;
+        levels = std::move(reduced);
         ticker.finish();
         return {};
     } catch (const std::bad_alloc&) {

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <new>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "check_map.hpp"
 #include "meshbound/segmentation.hpp"
 
 namespace meshbound {
@@ -96,12 +99,8 @@ Variable mixed(const Variable& finer, const Variable& coarser, double share) {
     return result;
 }
 
-} // namespace
-
-void make_morph(const MappedSurfaces& surfaces, Morph& morph, const Progress& progress) {
-    morph = {};
-    Segmentation segmentation;
-    segment(surfaces, segmentation, progress);
+Morph morph_by(const MappedSurfaces& surfaces, Segmentation segmentation) {
+    Morph morph;
     for (const SegmentationCell& cell : segmentation.cells) {
         morph.finer.triangles.insert(morph.finer.triangles.end(), cell.corner_count - 2, cell.original);
         morph.coarser.triangles.insert(morph.coarser.triangles.end(), cell.corner_count - 2, cell.reduced);
@@ -109,10 +108,29 @@ void make_morph(const MappedSurfaces& surfaces, Morph& morph, const Progress& pr
     morph.triangles = std::move(segmentation.pieces);
     morph.folded_triangles = segmentation.folded_pieces;
     morph.folded_share = segmentation.folded_original;
-    if (morph.triangles.empty()) return;
+    if (morph.triangles.empty()) return morph;
     place_corners(surfaces.original, on_finer(surfaces), morph.finer);
     place_corners(surfaces.reduced, on_coarser(surfaces), morph.coarser);
     leave_unused(surfaces.map, morph.finer.variables, morph.coarser.variables);
+    return morph;
+}
+
+} // namespace
+
+Status make_morph(const MappedSurfaces& surfaces, Morph& morph, const Progress& progress) {
+    try {
+        Segmentation segmentation;
+        if (Status status = segment(surfaces, segmentation, progress); !status.ok()) return status;
+        if (Status status = check_same_variables(surfaces); !status.ok()) return status;
+        morph = morph_by(surfaces, std::move(segmentation));
+        return {};
+    } catch (const std::bad_alloc&) {
+        return {Fault::out_of_memory,
+                "There is no memory left for morphing " + std::to_string(surfaces.original.triangles.size()) +
+                    " triangles.",
+                "",
+                {}};
+    }
 }
 
 Mesh morphed(const Morph& morph, double share) {

@@ -15,7 +15,4 @@ struct Folds {
 /// the ticker cancels.
 Folds count_folds(const MappedSurfaces& surfaces, Team& team, Ticker& ticker);
 
-/// As `segment`, of an original whose triangles agree already which side is the front one.
-void segment_oriented(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress = {});
-
 } // namespace meshbound

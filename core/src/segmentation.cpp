@@ -1,10 +1,14 @@
 #include "meshbound/segmentation.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <new>
+#include <string>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "check_map.hpp"
 #include "orientation.hpp"
 #include "oriented_segmentation.hpp"
 #include "segmentation_cutting.hpp"
@@ -45,8 +49,9 @@ double area(const Mesh& mesh) {
     return sum;
 }
 
-bool repeats_vertex(const glm::uvec3& triangle) {
-    return triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x;
+/// Whether a corner lies in the reduced triangle of its cell: elsewhere its coordinates in that do not add up.
+bool lies_inside(const CellPlace& corner) {
+    return std::abs(corner.reduced.x + corner.reduced.y + corner.reduced.z - 1) <= rounding_of_shares;
 }
 
 /// Two surfaces, prepared for being looked up in; by several threads, too.
@@ -66,11 +71,12 @@ public:
         : surfaces_(prepared.surfaces), outlines_(prepared.outlines),
           cutter_(prepared.faces, prepared.surfaces.original.regions) {}
 
-    /// Adds the cells and pieces of a triangle, and what of them is folded (areas in the unit of the surfaces').
-    void add(std::uint32_t triangle, Segmentation& segmentation);
+    /// Adds the cells and pieces of a triangle, and what of them is folded (areas in the unit of the surfaces'). False where a
+    /// cell fits no reduced triangle, which ends it: the map is not one of these surfaces.
+    bool add(std::uint32_t triangle, Segmentation& segmentation);
 
 private:
-    void cut_into_pieces(SegmentationCell& cell, Segmentation& segmentation);
+    bool cut_into_pieces(SegmentationCell& cell, Segmentation& segmentation);
 
     const MappedSurfaces& surfaces_;
     const Outlines& outlines_;
@@ -80,23 +86,27 @@ private:
     std::vector<CellPlace> places_;
 };
 
-void Segmenter::add(std::uint32_t triangle, Segmentation& segmentation) {
+bool Segmenter::add(std::uint32_t triangle, Segmentation& segmentation) {
     const glm::uvec3& corners = surfaces_.original.triangles[triangle];
-    if (repeats_vertex(corners)) return;
-    if (surfaces_.map.places[corners.x].triangle == nowhere) return; // of a part that was left out
+    if (repeats_vertex(corners)) return true;
+    if (surfaces_.map.places[corners.x].triangle == nowhere) return true; // of a part that was left out
     outlines_.trace(triangle, outline_);
     std::size_t cell = segmentation.cells.size();
     cutter_.cut(triangle, outline_, segmentation);
-    for (; cell < segmentation.cells.size(); ++cell) cut_into_pieces(segmentation.cells[cell], segmentation);
+    for (; cell < segmentation.cells.size(); ++cell)
+        if (!cut_into_pieces(segmentation.cells[cell], segmentation)) return false;
+    return true;
 }
 
-void Segmenter::cut_into_pieces(SegmentationCell& cell, Segmentation& segmentation) {
+bool Segmenter::cut_into_pieces(SegmentationCell& cell, Segmentation& segmentation) {
+    if (cell.reduced == nowhere) return false;
     cell.first_piece = static_cast<std::uint32_t>(segmentation.pieces.size());
     const std::uint32_t* corners = &segmentation.corners[cell.first_corner];
     places_.clear();
     for (std::uint32_t i = 0; i < cell.corner_count; ++i)
         places_.push_back(
             {place_in_original(surfaces_, cell, corners[i]), place_in_reduced(surfaces_, cell, corners[i])});
+    if (!std::all_of(places_.begin(), places_.end(), lies_inside)) return false;
     const std::size_t folded_before = segmentation.folded_pieces;
     triangulation_.for_each_piece(places_, [&](std::size_t i, std::size_t j, std::size_t k) {
         segmentation.pieces.push_back({corners[i], corners[j], corners[k]});
@@ -108,6 +118,7 @@ void Segmenter::cut_into_pieces(SegmentationCell& cell, Segmentation& segmentati
         segmentation.folded_reduced -= shares.reduced * area(reduced, reduced.triangles[cell.reduced]);
     });
     if (segmentation.folded_pieces > folded_before) ++segmentation.folded_cells;
+    return true;
 }
 
 /// Counts folds in one original triangle after the other.
@@ -119,7 +130,7 @@ public:
         here_.cells.clear();
         here_.corners.clear();
         here_.pieces.clear();
-        segmenter_.add(triangle, here_);
+        segmenter_.add(triangle, here_); // fits: the map is what the reduction made
         cells_ += here_.cells.size();
     }
 
@@ -133,6 +144,42 @@ private:
     Segmentation here_; // of the last triangle; its numbers of folds are of all
     std::size_t cells_ = 0;
 };
+
+Status does_not_fit(std::uint32_t triangle) {
+    return {Fault::bad_map,
+            "The map cuts triangle " + std::to_string(triangle) +
+                " of the original into parts of which one fits no triangle of the reduced mesh.",
+            "", triangle};
+}
+
+/// Of an original whose triangles agree already which side is the front one, and of a map that passed check_map.
+Status segment_oriented(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
+    segmentation = {};
+    const Prepared prepared(surfaces);
+    Segmenter segmenter(prepared);
+    Ticker ticker(progress);
+    const std::size_t triangles = surfaces.original.triangles.size();
+    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle) {
+        if (!segmenter.add(triangle, segmentation)) return does_not_fit(triangle);
+        if (ticker.tick(1, triangle / static_cast<double>(triangles))) continue;
+        segmentation = {};
+        return {};
+    }
+    if (segmentation.folded_original > 0) segmentation.folded_original /= area(surfaces.original);
+    if (segmentation.folded_reduced > 0) segmentation.folded_reduced /= area(surfaces.reduced);
+    return check_crossings_met(surfaces, segmentation);
+}
+
+/// The map is of the triangles as `reduce` turned them.
+Status segment_turned(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
+    Orientation orientation = orient(surfaces.original.triangles, vertex_count(surfaces.original));
+    if (orientation.turned == 0) return segment_oriented(surfaces, segmentation, progress);
+    Mesh turned;
+    turned.position = surfaces.original.position;
+    turned.triangles = std::move(orientation.triangles);
+    turned.regions = surfaces.original.regions;
+    return segment_oriented({turned, surfaces}, segmentation, progress);
+}
 
 /// A run of so many triangles takes a millisecond.
 constexpr std::size_t triangles_at_once = 1024;
@@ -167,23 +214,6 @@ glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCe
     return place_at_vertex(triangle, static_cast<std::uint32_t>(kept - surfaces.vertices.begin()));
 }
 
-void segment_oriented(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
-    segmentation = {};
-    if (surfaces.map.places.empty()) return;
-    const Prepared prepared(surfaces);
-    Segmenter segmenter(prepared);
-    Ticker ticker(progress);
-    const std::size_t triangles = surfaces.original.triangles.size();
-    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle) {
-        segmenter.add(triangle, segmentation);
-        if (ticker.tick(1, triangle / static_cast<double>(triangles))) continue;
-        segmentation = {};
-        return;
-    }
-    if (segmentation.folded_original > 0) segmentation.folded_original /= area(surfaces.original);
-    if (segmentation.folded_reduced > 0) segmentation.folded_reduced /= area(surfaces.reduced);
-}
-
 Folds count_folds(const MappedSurfaces& surfaces, Team& team, Ticker& ticker) {
     if (surfaces.map.places.empty()) return {};
     const Prepared prepared(surfaces);
@@ -198,15 +228,22 @@ Folds count_folds(const MappedSurfaces& surfaces, Team& team, Ticker& ticker) {
     return folds;
 }
 
-/// The map is of the triangles as `reduce` turned them.
-void segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
-    Orientation orientation = orient(surfaces.original.triangles, vertex_count(surfaces.original));
-    if (orientation.turned == 0) return segment_oriented(surfaces, segmentation, progress);
-    Mesh turned;
-    turned.position = surfaces.original.position;
-    turned.triangles = std::move(orientation.triangles);
-    turned.regions = surfaces.original.regions;
-    segment_oriented({turned, surfaces}, segmentation, progress);
+Status segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
+    try {
+        Segmentation cut;
+        if (!surfaces.map.places.empty() || !surfaces.map.crossings.empty()) {
+            if (Status status = check_map(surfaces); !status.ok()) return status;
+            if (Status status = segment_turned(surfaces, cut, progress); !status.ok()) return status;
+        }
+        segmentation = std::move(cut);
+        return {};
+    } catch (const std::bad_alloc&) {
+        return {Fault::out_of_memory,
+                "There is no memory left for cutting " + std::to_string(surfaces.original.triangles.size()) +
+                    " triangles by their map.",
+                "",
+                {}};
+    }
 }
 
 } // namespace meshbound

@@ -86,8 +86,10 @@ void CellCutter::join_around_corners() {
     }
 }
 
+/// Crossings that are left in more than one chain fit no map: they stay in one cell, which fits no triangle either.
 void CellCutter::join_to_opposite_corners() {
-    if (kept_.size() < 3) return;
+    const auto is_left = [](const std::vector<Step>& chain) { return !chain.empty(); };
+    if (kept_.size() < 3 || std::count_if(chains_.begin(), chains_.end(), is_left) > 1) return;
     for (std::size_t i = 0; i < 3; ++i)
         for (const Step step : chains_[i]) cut_off(kept_[(i + 2) % 3], step);
 }

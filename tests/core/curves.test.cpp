@@ -208,7 +208,7 @@ TEST_P(Curves, TheSegmentationKnowsTheSheets) {
         const Reduction reduction = reduce(mesh);
         Segmentation segmentation;
         const MappedSurfaces surfaces{mesh, reduction};
-        segment(surfaces, segmentation);
+        ASSERT_TRUE(segment(surfaces, segmentation).ok());
         std::vector<double> area(mesh.triangles.size(), 0);
         for (const SegmentationCell& cell : segmentation.cells)
             for (std::uint32_t i = 0; i < cell.corner_count; ++i) {
@@ -225,7 +225,7 @@ TEST_P(Curves, TheSegmentationKnowsTheSheets) {
 
 void expect_cells_in_their_regions(const Mesh& mesh, const Reduction& reduction) {
     Segmentation segmentation;
-    segment({mesh, reduction}, segmentation);
+    ASSERT_TRUE(segment({mesh, reduction}, segmentation).ok());
     for (const SegmentationCell& cell : segmentation.cells) {
         ASSERT_LT(cell.reduced, reduction.mesh.triangles.size());
         EXPECT_EQ(mesh.regions[cell.original], reduction.mesh.regions[cell.reduced]);

@@ -207,8 +207,10 @@ TEST_P(LevelsTest, MakeTheMorphsAskedFor) {
     ASSERT_EQ(levels.links.size(), doubling.size() - 1);
     for (std::size_t i = 0; i < doubling.size(); ++i) {
         Morph morph;
-        if (i == 0) make_morph({mesh, levels.levels[0]}, morph);
-        else make_morph({levels.levels[i - 1].mesh, levels.levels[i].mesh, levels.links[i - 1]}, morph);
+        const MappedSurfaces surfaces =
+            i == 0 ? MappedSurfaces{mesh, levels.levels[0]}
+                   : MappedSurfaces{levels.levels[i - 1].mesh, levels.levels[i].mesh, levels.links[i - 1]};
+        ASSERT_TRUE(make_morph(surfaces, morph).ok());
         EXPECT_EQ(levels.morphs[i].triangles, morph.triangles);
         EXPECT_TRUE(promise::same_bits(levels.morphs[i].finer.variables[0], morph.finer.variables[0]));
         EXPECT_TRUE(promise::same_bits(levels.morphs[i].coarser.variables[1], morph.coarser.variables[1]));

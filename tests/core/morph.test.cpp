@@ -77,7 +77,8 @@ protected:
 
     static Morph morph_of(const Step& step) {
         Morph morph;
-        make_morph(step.surfaces, morph);
+        const Status status = make_morph(step.surfaces, morph);
+        EXPECT_TRUE(status.ok()) << status.message;
         return morph;
     }
 
@@ -262,7 +263,7 @@ TEST(Morph, IsLinearBetweenItsEnds) {
     const Mesh mesh = meshes::gallery()[0].mesh;
     const Reduction reduction = promise::reduced(mesh, promise::percent(3, 9));
     Morph morph;
-    make_morph({mesh, reduction}, morph);
+    ASSERT_TRUE(make_morph({mesh, reduction}, morph).ok());
     const Mesh start = morphed(morph, 0), middle = morphed(morph, 0.5), end = morphed(morph, 1);
     EXPECT_TRUE(promise::same_bits(start.position, morph.finer.variables[0]));
     EXPECT_TRUE(promise::same_bits(end.position, morph.coarser.variables[0]));
@@ -281,7 +282,7 @@ TEST(Morph, AsLaidOutOfAPlaneHasNoFolds) {
     Levels levels;
     ASSERT_TRUE(reduce_levels(mesh, {promise::percent(1, 3), promise::percent(2, 6)}, options, levels).ok());
     Morph morph;
-    make_morph({levels.levels[0].mesh, levels.levels[1].mesh, levels.links[0]}, morph);
+    ASSERT_TRUE(make_morph({levels.levels[0].mesh, levels.levels[1].mesh, levels.links[0]}, morph).ok());
     EXPECT_EQ(morph.folded_triangles, 0U);
     EXPECT_EQ(morph.folded_share, 0);
 }
@@ -291,7 +292,7 @@ TEST(Morph, OfPropagatedErrorsIsEmpty) {
     options.errors = Errors::propagated;
     const Mesh mesh = meshes::sphere(6);
     Morph morph;
-    make_morph({mesh, promise::reduced(mesh, promise::percent(3, 3), options)}, morph);
+    ASSERT_TRUE(make_morph({mesh, promise::reduced(mesh, promise::percent(3, 3), options)}, morph).ok());
     EXPECT_TRUE(morph.triangles.empty());
     EXPECT_TRUE(morph.finer.variables.empty());
 }

@@ -13,6 +13,7 @@
 #include "meshes/gallery.hpp"
 #include "meshes/oddities.hpp"
 #include "meshes/ply.hpp"
+#include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "modes.hpp"
 #include "promise.hpp"
@@ -316,9 +317,56 @@ TEST_P(Onward, RefusesAWaypointThatContradictsItself) {
         EXPECT_EQ(broken([bad](Waypoint& w) { w.report.variables[1].error = bad; }), Fault::bad_waypoint);
         EXPECT_EQ(broken([bad](Waypoint& w) { w.report.variables[0].bound.extent = bad; }), Fault::bad_waypoint);
     }
+    EXPECT_EQ(broken([](Waypoint& w) { w.report.vertices_before = w.vertices.back(); }), Fault::bad_waypoint);
     EXPECT_EQ(broken([](Waypoint& w) { w.mesh.triangles[0].x = 1'000'000; }), Fault::bad_index);
     EXPECT_EQ(broken([](Waypoint& w) { w.mesh.triangles.clear(); }), Fault::no_triangles);
     EXPECT_EQ(broken([](Waypoint& w) { w = {}; }), Fault::no_triangles);
+}
+
+TEST_P(Onward, NamesTheVertexThatCannotBeOfTheOriginal) {
+    const Waypoint good = passed(usual_mesh(), usual);
+    const auto broken = [&](std::size_t vertex, std::uint32_t of_original) {
+        Waypoint waypoint = good;
+        waypoint.vertices[vertex] = of_original;
+        return refused(waypoint, promise::percent(4, 12));
+    };
+    Status status = broken(5, 1'000'000);
+    EXPECT_EQ(status.index, 5U);
+    EXPECT_THAT(status.message, testing::HasSubstr("said to be vertex 1000000 of the original, which has"));
+    status = broken(5, good.vertices[4]);
+    EXPECT_EQ(status.index, 5U);
+    EXPECT_THAT(status.message, testing::HasSubstr("they must rise"));
+}
+
+/// Every number of a waypoint's arrays in turn is anything at all.
+TEST_P(Onward, WhateverIsDamagedIsRefusedOrHarmless) {
+    Mesh mesh = meshes::sphere(5);
+    meshes::add_usual_fields(mesh);
+    const Waypoint good = passed(mesh, usual);
+    std::size_t refusals = 0;
+    constexpr std::size_t rounds = 300;
+    for (std::size_t seed = 0; seed < rounds; ++seed) {
+        SCOPED_TRACE(seed);
+        meshes::Random random(seed);
+        Waypoint waypoint = good;
+        const auto value =
+            static_cast<std::uint32_t>(random.below(2) ? random.below(2 * vertex_count(mesh)) : random.next());
+        switch (random.below(4)) {
+        case 0: waypoint.vertices[random.below(waypoint.vertices.size())] = value; break;
+        case 1: waypoint.vertices.resize(value % (2 * waypoint.vertices.size()), value); break;
+        case 2: waypoint.report.vertices_before = value; break;
+        default: waypoint.mesh.triangles[random.below(waypoint.mesh.triangles.size())].y = value;
+        }
+        Reduction reduction;
+        const Status status = reduce_onward(waypoint, promise::percent(4, 12), options, reduction);
+        refusals += !status.ok();
+        if (!status.ok()) continue;
+        EXPECT_EQ(reduction.vertices.size(), vertex_count(reduction.mesh));
+        EXPECT_TRUE(std::is_sorted(reduction.vertices.begin(), reduction.vertices.end()));
+        EXPECT_LT(reduction.vertices.back(), waypoint.report.vertices_before);
+    }
+    EXPECT_GT(refusals, rounds / 4);
+    EXPECT_LT(refusals, rounds);
 }
 
 TEST_P(Onward, RefusesWhatOnlyTheOriginalCanTell) {

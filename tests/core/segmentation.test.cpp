@@ -49,7 +49,8 @@ class Segmented {
 public:
     Segmented(const Mesh& mesh, const Bounds& bounds, const Options& options)
         : mesh_(mesh), reduction_(promise::reduced(mesh, bounds, options)) {
-        segment({mesh_, reduction_}, segmentation_);
+        const Status status = segment({mesh_, reduction_}, segmentation_);
+        EXPECT_TRUE(status.ok()) << status.message;
         // From here on as they are reduced: turned where they face the wrong side.
         mesh_.triangles = orient(mesh.triangles, vertices()).triangles;
     }

@@ -86,6 +86,51 @@ describe('reduceOnward', () => {
     }
   });
 
+  test('names the vertex that cannot be of the original', async () => {
+    const { waypoint } = await passed();
+    const vertices = waypoint.vertices.slice();
+    vertices[3] = 2 ** 31;
+    const refused = reduceOnward({ ...waypoint, vertices }, { bounds: percent(3) });
+    await expect(refused).rejects.toMatchObject({ code: 'bad_waypoint', index: 3 });
+  });
+
+  test('refuses a waypoint of another shape', async () => {
+    const { waypoint } = await passed();
+    const { report } = waypoint;
+    const bounds = percent(3);
+    for (const part of ['triangles', 'vertices', 'variables', 'oddities', 'dropped', 'regions'] as const) {
+      const refused = reduceOnward({ ...waypoint, report: { ...report, [part]: undefined } }, { bounds });
+      const message = `The waypoint has no "${part}" where it should.`;
+      await expect(refused).rejects.toMatchObject({ code: 'bad_waypoint', message });
+    }
+    const unreported = { ...waypoint, report: undefined } as unknown as Waypoint;
+    await expect(reduceOnward(unreported, { bounds })).rejects.toMatchObject({ code: 'bad_waypoint' });
+    const listed = { ...waypoint, vertices: Array.from(waypoint.vertices) } as unknown as Waypoint;
+    await expect(reduceOnward(listed, { bounds })).rejects.toThrow(
+      new TypeError('The vertices must be a Uint32Array.'),
+    );
+  });
+
+  test('reads of a waypoint’s report only what it goes by', async () => {
+    const { waypoint } = await passed();
+    const bounds = percent(3);
+    const whole = await reduceOnward(waypoint, { bounds });
+    const { triangles, vertices, variables, oddities, dropped, regions, nonManifoldVertices } = waypoint.report;
+    const spent = variables.map(({ name, extent, magnitude, constant, error }) => ({
+      name,
+      extent,
+      magnitude,
+      constant,
+      error,
+    }));
+    const report = {
+      ...{ oddities, dropped, regions, nonManifoldVertices, variables: spent },
+      ...{ triangles: { before: triangles.before }, vertices: { before: vertices.before } },
+    };
+    const onward = await reduceOnward({ ...waypoint, report } as unknown as Waypoint, { bounds });
+    expect({ ...onward.report, seconds: 0 }).toEqual({ ...whole.report, seconds: 0 });
+  });
+
   test('can be aborted', async () => {
     const { waypoint } = await passed();
     const refused = reduceOnward(waypoint, { bounds: percent(3), signal: AbortSignal.abort() });

@@ -9,6 +9,7 @@
 #include "meshbound/mapped_surfaces.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/options.hpp"
+#include "meshbound/status.hpp"
 
 namespace meshbound {
 
@@ -40,11 +41,13 @@ struct Morph {
 };
 
 /// Makes the morph between two surfaces. Where there is no map between them, after a reduction with propagated errors, it
-/// has no triangles, and so where `progress` cancels. Throws std::bad_alloc where memory runs out.
+/// has no triangles, and so where `progress` cancels.
+///
+/// Faults: those of segment; bad_map with the variable that the surfaces do not both carry. `morph` is then untouched.
 ///
 ///     make_morph({mesh, levels.levels[0]}, morph);                                               // from the original
 ///     make_morph({levels.levels[0].mesh, levels.levels[1].mesh, levels.links[0]}, morph);       // to the next level
-void make_morph(const MappedSurfaces& surfaces, Morph& morph, const Progress& progress = {});
+Status make_morph(const MappedSurfaces& surfaces, Morph& morph, const Progress& progress = {});
 
 /// The surface on its way, `share` 0…1: at 0 the triangles of the morph on the finer level, at 1 on the coarser one.
 Mesh morphed(const Morph& morph, double share);

@@ -8,6 +8,7 @@
 
 #include "meshbound/mapped_surfaces.hpp"
 #include "meshbound/options.hpp"
+#include "meshbound/status.hpp"
 
 namespace meshbound {
 
@@ -53,10 +54,14 @@ struct Segmentation {
 inline constexpr double flat_share = 1e-12;
 
 /// Segments both surfaces by the map between them. Where there is none, after a reduction with propagated errors, the
-/// segmentation is empty, and so it is when `progress` cancels. Throws std::bad_alloc where memory runs out.
+/// segmentation is empty, and so it is when `progress` cancels.
+///
+/// Faults: those of validate, of either surface; bad_map, with the triangle or vertex of the original, the vertex of the reduced
+/// mesh or the crossing as index: the map names what the surfaces lack, or its cells do not fit; out_of_memory. `segmentation`
+/// is then untouched.
 ///
 ///     segment({mesh, reduction}, segmentation);
-void segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress = {});
+Status segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress = {});
 
 /// Barycentric coordinates of a corner of the cell in the cell's original triangle.
 glm::dvec3 place_in_original(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner);

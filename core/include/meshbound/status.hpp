@@ -7,7 +7,7 @@
 
 namespace meshbound {
 
-/// What can be wrong with the input of a reduction. One value a fault, so that a caller can act on it.
+/// What can be wrong with the input of a call. One value a fault, so that a caller can act on it.
 enum class Fault {
     none,
     no_triangles,        ///< the mesh has no triangle with three distinct vertices
@@ -24,8 +24,9 @@ enum class Fault {
     bound_too_fine,      ///< a bound below what double precision can carry beside the magnitude of the values
     bad_option,          ///< an option outside its documented range
     bad_waypoint,        ///< a waypoint that contradicts itself, or has spent what a bound allows
+    bad_map,             ///< a map that is not one between the surfaces it came with
     bad_levels,          ///< a list of levels of detail that is empty or does not go from fine to coarse
-    too_large,           ///< more vertices or triangles than 32-bit indices can name
+    too_large,           ///< more vertices or triangles than 32-bit indices can name, or more than 65 535 variables
     out_of_memory,       ///< the machine (or WebAssembly's 4 GB) has no room for this reduction
 };
 
