@@ -116,6 +116,11 @@ describe('the promise', () => {
   test('says so where nothing was changed', () => {
     expect(sentence([variable('position', 0.01, 0)])).toContain('proved; no error at all.');
   });
+
+  test('takes for no error what rounding leaves of none, and nothing larger', () => {
+    expect(sentence([variable('position', 0.01, 1.25e-11)])).toContain('proved; no error beyond rounding.');
+    expect(sentence([variable('position', 0.01, 2e-6)])).toContain('most used: space');
+  });
 });
 
 describe('what holds a result back', () => {

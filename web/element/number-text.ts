@@ -72,7 +72,8 @@ export function placeErrorText(error: number, share: number | null): string {
   return share !== null && isRounding(share) ? '\u2248\u00a00' : valueText(error);
 }
 
-function isRounding(share: number): boolean {
+/** Whether such a share of a bound is nothing but rounding. */
+export function isRounding(share: number): boolean {
   return share > 0 && share < smallestShare;
 }
 

@@ -1,7 +1,7 @@
 import type { Reduction, Report, VariableExtent, VariableReport } from '../../wasm/index.ts';
 import { sizeOf } from '../session/bound-setting.ts';
 import { english } from '../words/english.ts';
-import { countText, lowerPercentText, upperPercentText, upperText } from './number-text.ts';
+import { countText, isRounding, lowerPercentText, upperPercentText, upperText } from './number-text.ts';
 
 const words = english.promise;
 
@@ -61,6 +61,7 @@ function boundsPhrase(bounded: VariableReport[]): string {
 function mostUsed(bounded: VariableReport[], measured: boolean, multiplied: boolean): string {
   const most = bounded.reduce((best, next) => (next.ratio > best.ratio ? next : best));
   if (most.ratio === 0) return words.noError;
+  if (isRounding(most.ratio)) return words.rounding;
   const error = shareText(most.error, most);
   const say = multiplied ? words.mostUsedThere : words.mostUsed;
   return say(placeName(most), measured ? error : words.atMost(error), lowerPercentText(most.ratio));

@@ -22,6 +22,7 @@ export const english = {
     dropped: (count: string, parts: number) =>
       `${count} small ${parts === 1 ? 'part' : 'parts'} left out: nothing promised of ${parts === 1 ? 'it' : 'them'}.`,
     noError: 'no error at all',
+    rounding: 'no error beyond rounding',
     mostUsed: (name: string, error: string, share: string) => `most used: ${name}, ${error} (${share} of its bound)`,
     mostUsedThere: (name: string, error: string, share: string) =>
       `most used: ${name}, ${share} of its bound there; its largest error is ${error}`,
@@ -165,7 +166,7 @@ export const english = {
     title: 'Levels of detail',
     region: 'Detail',
     none: 'none',
-    what: 'Coarser and coarser, with a smooth way from one to the next',
+    what: 'Ever coarser, with smooth transitions',
     making: (percent: number) => `Making levels: ${percent} %`,
     position: 'Position among levels',
     choice: 'Which level',
