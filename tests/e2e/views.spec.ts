@@ -150,13 +150,22 @@ test('two cameras are in the address, both of them, and Fit takes them out', asy
   await page().getByLabel('One camera').check();
 });
 
+test('one notice says all that a saved file has no place for', async () => {
+  await page().getByRole('button', { name: 'Save…' }).click();
+  await page().getByRole('button', { name: 'STL', exact: true }).click();
+  const notices = page().locator('meshbound-notices [role=status]');
+  await expect(notices.first()).toContainText(/variables .*“temperature”\. .*units of “position”\./);
+  await expect(notices).toHaveCount(1);
+  await notices.getByRole('button', { name: 'Dismiss' }).click();
+});
+
 test('saves a picture, with the legends or without', async () => {
   const saved = async (item: string) => {
     const started = page().waitForEvent('download');
     await page().getByRole('button', { name: 'Save…' }).click();
     await page().getByRole('button', { name: item, exact: true }).click();
     const download = await started;
-    expect(download.suggestedFilename()).toBe('meshbound.png');
+    expect(download.suggestedFilename()).toBe('fireballs-picture.png');
     const base64 = (await readFile(await download.path())).toString('base64');
     // How much of the lower left corner, where the legend is, is not background.
     return page().evaluate(async (content) => {

@@ -357,7 +357,7 @@ export class MeshboundViewer extends ViewerProperties {
     try {
       const { name, content, losses } = await savedFile(surface, reduced, this.levels.state.nested, kind);
       download(name, content);
-      for (const loss of losses) this.session.tell(`${name}: ${loss}`);
+      if (losses.length > 0) this.session.tell(`${name}: ${losses.join(' ')}`);
     } catch (error) {
       this.session.report(error);
     }
