@@ -3,6 +3,7 @@ import { reduce } from '../../wasm/index.ts';
 import { download, type SavedKind, savedKinds } from '../element/download.ts';
 import { BoundsCurve } from '../session/bounds-curve.ts';
 import '../element/index.ts';
+import { savedFileName } from '../element/file-name.ts';
 import type { WantedView } from '../element/view-settings.ts';
 import { stateFromJson, stateJson } from '../element/viewer-state.ts';
 import { surfaceAmong } from '../formats/surface-among.ts';
@@ -266,7 +267,8 @@ export class App extends LitElement {
 
   async #savePicture(legends: boolean): Promise<void> {
     try {
-      download('meshbound.png', await this.viewer.toBlob({ legends }));
+      const { surface } = this.viewer.session.state;
+      download(savedFileName(surface?.name ?? '', 'picture', 'png'), await this.viewer.toBlob({ legends }));
     } catch (error) {
       this.viewer.session.report(error);
     }
