@@ -482,6 +482,17 @@ TEST_F(Cutting, KeepsSidesApartFromTheMiddleOfThreeKeptCorners) {
     EXPECT_EQ(cut(), (Cells{{A, {10, 11, 12}}, {H, {11, 100, 12}}, {B, {10, 12, 101}}}));
 }
 
+/// Once round, one crossing on each side: no two of them can be joined, nor all of them with the opposite corners.
+TEST_F(Cutting, EndsWhereTheOutlineIsOfNoMap) {
+    kept(10, 7);
+    crossing(0, {0, 1}, A, B);
+    kept(11, 3);
+    crossing(1, {0, 2}, B, C);
+    kept(12, 5);
+    crossing(2, {0, 6}, F, A);
+    EXPECT_EQ(cut(), (Cells{{B, {10, 100, 11}}, {C, {11, 101, 12}}, {A, {10, 12, 102}}, {nowhere, {10, 11, 12}}}));
+}
+
 TEST_F(Cutting, TakesAWholeTriangle) {
     kept(10, 0);
     kept(11, 6);
