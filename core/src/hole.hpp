@@ -38,6 +38,10 @@ struct Hole {
     int after(int i) const { return i + 1 == size() ? 0 : i + 1; }
 };
 
+/// A hole with more corners is left alone: the dynamic programme grows with the cube, and such hubs shrink as their
+/// neighbours go.
+inline constexpr int largest_ring = 48;
+
 /// One triangle of a retriangulation, by ring positions a < m < b. The triangles form a tree: the root has the edge (0, last),
 /// every other one hangs on its parent by the diagonal (a, b).
 struct NewTriangle {

@@ -12,10 +12,6 @@
 namespace meshbound {
 namespace {
 
-/// A hole with more corners is left alone: the dynamic programme grows with the cube, and such hubs shrink as their
-/// neighbours go.
-constexpr int largest_ring = 48;
-
 /// New triangles that must keep to the hole's normal do so within this cosine (about 84°): beyond, they turn away.
 constexpr double least_turn_cosine = 0.1;
 

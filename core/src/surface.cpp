@@ -1,6 +1,7 @@
 #include "surface.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "half_edge_runs.hpp"
 #include "hole.hpp"
@@ -69,25 +70,23 @@ void Surface::attach(std::uint32_t h, const Rim& rim) {
 }
 
 /// Takes the star out and leaves what lies behind its rims.
-std::vector<Surface::Rim> Surface::take_out(const Hole& hole) {
-    std::vector<Rim> rims;
-    for (const std::uint32_t h : hole.rims) rims.push_back({twin_[h], edge_[h]});
+void Surface::take_out(const Hole& hole, Rim* rims) {
+    for (const std::uint32_t h : hole.rims) *rims++ = {twin_[h], edge_[h]};
     for (const std::uint32_t slot : hole.slots) origin_[3 * std::size_t(slot)] = no_index;
     kind_[hole.candidate] = VertexKind::absent;
     outgoing_[hole.candidate] = no_index;
-    return rims;
 }
 
 /// Writes a new triangle, whose slot is chosen, and joins it to the rims around it.
-void Surface::put_in(const Hole& hole, const NewTriangle& triangle, const std::vector<Rim>& rims) {
+void Surface::put_in(const Hole& hole, const NewTriangle& triangle, const Rim* rims) {
     const auto at = [](int i) { return static_cast<std::size_t>(i); };
     const std::uint32_t h = 3 * triangle.slot; // h: a → m, h + 1: m → b, h + 2: b → a
     origin_[h] = hole.ring[at(triangle.a)];
     origin_[h + 1] = hole.ring[at(triangle.m)];
     origin_[h + 2] = hole.ring[at(triangle.b)];
-    if (triangle.left < 0) attach(h, rims[at(triangle.a)]);
-    if (triangle.right < 0) attach(h + 1, rims[at(triangle.m)]);
-    if (triangle.parent < 0 && !hole.open) attach(h + 2, rims[at(triangle.b)]);
+    if (triangle.left < 0) attach(h, rims[triangle.a]);
+    if (triangle.right < 0) attach(h + 1, rims[triangle.m]);
+    if (triangle.parent < 0 && !hole.open) attach(h + 2, rims[triangle.b]);
 }
 
 /// Gives a new triangle's edge (a, b), the diagonal to its parent or the closing edge, an edge of its own.
@@ -111,13 +110,14 @@ void Surface::refresh_vertices(const NewTriangle& triangle) {
 }
 
 void Surface::retriangulate(const Hole& hole, Retriangulation& retriangulation) {
-    const std::vector<Rim> rims = take_out(hole);
+    std::array<Rim, largest_ring> rims; // no allocation, for which threads would wait
+    take_out(hole, rims.data());
     std::vector<NewTriangle>& fresh = retriangulation.triangles;
     std::size_t spare_edge = 0;
     for (std::size_t n = 0; n < fresh.size(); ++n) {
         NewTriangle& triangle = fresh[n];
         triangle.slot = hole.slots[n];
-        put_in(hole, triangle, rims);
+        put_in(hole, triangle, rims.data());
         if (triangle.parent < 0 && !hole.open) {
             triangle.edge = edge_[3 * triangle.slot + 2];
             continue;

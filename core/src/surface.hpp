@@ -128,8 +128,8 @@ private:
         std::uint32_t twin, edge;
     };
     void attach(std::uint32_t h, const Rim& rim);
-    std::vector<Rim> take_out(const Hole& hole);
-    void put_in(const Hole& hole, const NewTriangle& triangle, const std::vector<Rim>& rims);
+    void take_out(const Hole& hole, Rim* rims);
+    void put_in(const Hole& hole, const NewTriangle& triangle, const Rim* rims);
     void join(const NewTriangle& triangle, const NewTriangle* parent);
     void refresh_vertices(const NewTriangle& triangle);
     void pair_half_edges();
