@@ -201,17 +201,13 @@ glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCe
         const MapCrossing& crossing = surfaces.map.crossings[corner - vertices];
         return place_on_edge(triangle, crossing.reduced, crossing.t);
     }
-    const auto kept = std::lower_bound(surfaces.vertices.begin(), surfaces.vertices.end(), corner);
-    if (kept == surfaces.vertices.end() || *kept != corner) {
-        const MapPlace& place = surfaces.map.places[corner];
-        if (place.triangle == cell.reduced) return place.barycentric;
-        // On a curve, and named in a triangle of another sheet than the cell's.
-        glm::dvec3 here(0);
-        for (int i = 0; i < 3; ++i)
-            here += place.barycentric[i] * place_at_vertex(triangle, surfaces.reduced.triangles[place.triangle][i]);
-        return here;
-    }
-    return place_at_vertex(triangle, static_cast<std::uint32_t>(kept - surfaces.vertices.begin()));
+    const MapPlace& place = surfaces.map.places[corner];
+    if (place.triangle == cell.reduced) return place.barycentric;
+    // Kept or on a curve, and named in a triangle beside the cell's.
+    glm::dvec3 here(0);
+    for (int i = 0; i < 3; ++i)
+        here += place.barycentric[i] * place_at_vertex(triangle, surfaces.reduced.triangles[place.triangle][i]);
+    return here;
 }
 
 Folds count_folds(const MappedSurfaces& surfaces, Team& team, Ticker& ticker) {
