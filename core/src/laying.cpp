@@ -16,7 +16,7 @@ constexpr double least_gap = 1e-12;
 
 } // namespace
 
-auto Laying::difference(const Piece& piece, const NewCrossing& crossing) const {
+inline auto Laying::difference(const Piece& piece, const NewCrossing& crossing) const {
     const NewTriangle& triangle = tree_->triangle(crossing.triangle);
     return MeasuredRows::segment_difference(rows_[map_.edges.lower(piece.original)],
                                             rows_[map_.edges.upper(piece.original)], crossing.s,

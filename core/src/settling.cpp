@@ -7,7 +7,7 @@
 
 namespace meshbound {
 
-auto Settling::difference(const double* row, const Settlement& settlement) const {
+inline auto Settling::difference(const double* row, const Settlement& settlement) const {
     const NewTriangle& triangle = tree_->triangle(settlement.triangle);
     const glm::dvec3& w = settlement.weight;
     return MeasuredRows::blend_difference(row, products_.ring_row(triangle.a), products_.ring_row(triangle.m),

@@ -35,15 +35,19 @@ void TrackedCost::take_sample() {
 void TrackedCost::find_sides() {
     const std::vector<InnerVertex>& inner = *inner_;
     const int size = hole_->size();
-    left_.assign(at(size * size), 0);
-    right_.assign(at(size * size), 0);
+    left_.resize(at(size * size));
+    right_.resize(at(size * size));
     for (int i = 0; i < size; ++i)
-        for (int j = i + 1; j < size; ++j)
+        for (int j = i + 1; j < size; ++j) {
+            std::uint64_t left = 0, right = 0;
             for (std::size_t n = 0; n < sample_.size(); ++n) {
                 const double side = orientation(hole_->places[at(i)], hole_->places[at(j)], inner[sample_[n]].place);
-                left_[at(i * size + j)] |= std::uint64_t{side >= 0} << n;
-                right_[at(i * size + j)] |= std::uint64_t{side <= 0} << n;
+                left |= std::uint64_t{side >= 0} << n;
+                right |= std::uint64_t{side <= 0} << n;
             }
+            left_[at(i * size + j)] = left;
+            right_[at(i * size + j)] = right;
+        }
 }
 
 double TrackedCost::diagonal(int i, int j) {
