@@ -51,20 +51,21 @@ bool Removal::enter() {
         part.removals->enter(part.hole);
         joined_.push_back(part.removals.get());
     }
-    return count_ == 1 || !would_close_slit();
+    return count_ == 1 || !would_change_slits();
 }
 
-/// Whether the closing edges of two sides of a seam would join the same vertices of the input, which their candidates are not:
-/// the slit between the two would close to one edge, and a boundary vanish.
-bool Removal::would_close_slit() const {
+/// Whether two sides of a seam would come together or apart. Where their closing edges would join the same vertices of the input,
+/// which their candidates are not, the slit between the two would close to one edge, and a boundary vanish. Where their
+/// candidates are one vertex that holds two slits apart, the sides do not meet elsewhere, and the two would become one.
+bool Removal::would_change_slits() const {
     const auto ends = [&](const Hole& hole) -> Edge {
         return std::minmax({surface_.input(hole.ring.front()), surface_.input(hole.ring.back())});
     };
     for (std::size_t n = 1; n < count_; ++n)
         for (std::size_t m = 0; m < n; ++m) {
             const Hole &one = parts_[m]->hole, &other = parts_[n]->hole;
-            if (surface_.input(one.candidate) != surface_.input(other.candidate) && ends(one) == ends(other))
-                return true;
+            const bool meet_now = surface_.input(one.candidate) == surface_.input(other.candidate);
+            if (meet_now != (ends(one) == ends(other))) return true;
         }
     return false;
 }

@@ -87,7 +87,7 @@ private:
     };
     void open(std::uint32_t vertex);
     bool enter();
-    bool would_close_slit() const;
+    bool would_change_slits() const;
     bool triangulate();
     Trial try_part(Part& part, double squared_limit, Effort effort);
     Trial try_out(Part& part, double squared_limit);

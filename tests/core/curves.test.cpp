@@ -302,12 +302,13 @@ TEST_P(Curves, NoCrackOpensAlongASeam) {
     }
 }
 
-/// A plane that is slit along x = 0.5 between y = 0.25 and y = 0.75: the vertices between the ends of the slit stand twice.
-Mesh slit_plane() {
+/// A plane that is slit along x = 0.5 between y = 0.25 and y = 0.75: the vertices between the ends of the slit stand twice, but
+/// for one at y = `held`, which holds two slits apart.
+Mesh slit_plane(double held = -1) {
     constexpr int cells = 8;
     Mesh mesh = meshes::plane(cells, cells);
     auto& position = std::get<std::vector<double>>(mesh.position.values);
-    const auto in_slit = [](glm::dvec3 p) { return p.x == 0.5 && p.y > 0.25 && p.y < 0.75; };
+    const auto in_slit = [held](glm::dvec3 p) { return p.x == 0.5 && p.y > 0.25 && p.y < 0.75 && p.y != held; };
     std::map<std::uint32_t, std::uint32_t> copies;
     for (glm::uvec3& t : mesh.triangles) {
         double middle = 0;
@@ -328,6 +329,14 @@ Mesh slit_plane() {
 TEST_P(Curves, ASlitStaysOpen) {
     const Mesh mesh = slit_plane();
     ASSERT_EQ(meshes::topology(mesh).boundary_loops, 2U);
+    const Reduction reduction = promise::reduced(mesh, {{"position", relative(1)}}, GetParam().options());
+    EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 2);
+    promise::expect_same_topology(mesh, reduction);
+}
+
+/// Found by the fuzzer: without the vertex that held them apart, the two were one.
+TEST_P(Curves, TwoSlitsStayApart) {
+    const Mesh mesh = slit_plane(0.5);
     const Reduction reduction = promise::reduced(mesh, {{"position", relative(1)}}, GetParam().options());
     EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 2);
     promise::expect_same_topology(mesh, reduction);
