@@ -117,12 +117,11 @@ void extract_errors(const Surface& surface, const Rows& rows, const Accounting& 
     else reduction.triangle_errors.clear();
 }
 
-void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate,
-                    Report& report) {
+void count_refusals(const Surface& surface, const Sweeper& sweeper, Report& report) {
     for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
         if (surface.kind(vertex) == VertexKind::absent || surface.first_copy(surface.input(vertex)) != vertex) continue;
         const std::uint32_t site = surface.site(vertex);
-        if (!candidate[site]) {
+        if (!sweeper.is_candidate(site)) {
             ++report.refused.fixed;
             continue;
         }

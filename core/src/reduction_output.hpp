@@ -28,8 +28,8 @@ Renaming extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduc
 void extract_errors(const Surface& surface, const Rows& rows, const Accounting& accounting, Reduction& reduction,
                     Team& team, Ticker& ticker);
 
-/// Why each vertex that is still there could not go. `candidate[v]`: whether it was allowed to at all.
-void count_refusals(const Surface& surface, const Sweeper& sweeper, const std::vector<char>& candidate, Report& report);
+/// Why each vertex that is still there could not go.
+void count_refusals(const Surface& surface, const Sweeper& sweeper, Report& report);
 
 /// A cancelled result says of its errors what the sweeps made sure of, without looking at every triangle.
 void report_limits(const Multipliers& multipliers, Report& report);

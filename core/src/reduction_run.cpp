@@ -156,8 +156,8 @@ void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Re
 
 bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, Accounting& accounting, const ProgressSpan& span,
                          Report& report) {
-    const std::vector<char> candidate = find_candidates(mesh_, surface_, options_);
-    Sweeper sweeper(surface_, *rows_, accounting, candidate, team_, {*normals_, piercing_.get()});
+    Sweeper sweeper(surface_, *rows_, accounting, find_candidates(mesh_, surface_, options_), team_,
+                    {*normals_, piercing_.get()});
     const double swept = span.start + sweeping_share * (span.end - span.start);
     const std::vector<double> limits = limits_of_sweeps(bounds);
     reached_ = bounds;
@@ -167,7 +167,7 @@ bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, Accounting& a
         if (!ticker_.cancelled()) *waypoint_ = std::move(here); // else its errors are not all measured
     };
     if (!sweeper.sweep(limits, ticker_, span.start, swept, pass_waypoint)) return false;
-    count_refusals(surface_, sweeper, candidate, report);
+    count_refusals(surface_, sweeper, report);
     report.turned_before = turned_before_;
     report.turned_after = normals_->count_turned(surface_, *rows_);
     return true;

@@ -27,7 +27,7 @@ Verdict Removal::attempt(std::uint32_t candidate, double squared_limit, Effort e
         const Trial trial = try_part(*parts_[n], squared_limit, effort);
         if (trial.accepted(squared_limit)) continue;
         if (trial.pierces) return {Refusal::piercing};
-        return {Refusal::bound, static_cast<std::uint16_t>(trial.measured.variable),
+        return {Refusal::bound, false, static_cast<std::uint16_t>(trial.measured.variable),
                 static_cast<float>(trial.measured.squared_ratio)};
     }
     if (count_ > 1 && parts_meet()) return {Refusal::topology};

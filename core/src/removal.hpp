@@ -28,6 +28,7 @@ enum class Refusal : std::uint8_t {
 /// One is kept for every vertex.
 struct Verdict {
     Refusal refusal = Refusal::none;
+    bool stale = false;         ///< the star has changed since
     std::uint16_t variable = 0; ///< with Refusal::bound: the one in which it would break (see validate for how many) …
     float squared_ratio = 0;    ///< … and at least this squared ratio to the bound, or nearly, would have resulted
 };

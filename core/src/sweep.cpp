@@ -42,8 +42,8 @@ int depth_of_cut(std::size_t vertices, const Cutting& cutting) {
 Sweeper::Sweeper(Surface& surface, const Rows& rows, Accounting& accounting, std::vector<char> candidate, Team& team,
                  const Guards& guards)
     : surface_(surface), rows_(rows), accounting_(accounting), team_(team), guards_(guards),
-      candidate_(std::move(candidate)), queued_(candidate_.size(), 0), fresh_(candidate_.size(), 1),
-      touched_(candidate_.size(), 0), verdicts_(candidate_.size()) {
+      candidate_(std::move(candidate)), queued_(candidate_.size(), 0), touched_(candidate_.size(), 0),
+      verdicts_(candidate_.size(), {Refusal::none, true}) {
     removals_.push_back(std::make_unique<Removal>(surface, rows, accounting, guards));
 }
 
@@ -82,7 +82,7 @@ void Sweeper::queue_candidates(double squared_limit) {
     queue_.clear();
     for (std::uint32_t vertex = 0; vertex < candidate_.size(); ++vertex) {
         const Verdict& verdict = verdicts_[vertex];
-        if (fresh_[vertex] || verdict.refusal == Refusal::piercing ||
+        if (verdict.stale || verdict.refusal == Refusal::piercing ||
             (verdict.refusal == Refusal::bound && verdict.squared_ratio <= squared_limit))
             queue(vertex, queue_);
     }
@@ -186,13 +186,12 @@ void Sweeper::take(const Sweep& sweep, std::uint32_t vertex, std::size_t member,
 }
 
 void Sweeper::attempt(const Sweep& sweep, std::uint32_t vertex, Removal& removal, std::uint32_t round, Queue& next) {
-    fresh_[vertex] = 0;
     verdicts_[vertex] = removal.attempt(vertex, sweep.squared_limit, sweep.effort);
     if (verdicts_[vertex].refusal != Refusal::none) return;
     candidate_[vertex] = 0;
     removal.for_each_ring_vertex([&](std::uint32_t copy) {
         const std::uint32_t neighbour = surface_.site(copy);
-        fresh_[neighbour] = 1;
+        verdicts_[neighbour].stale = true;
         touched_[neighbour] = round;
         if (has_chance(sweep, neighbour)) queue(neighbour, next);
     });

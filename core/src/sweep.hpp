@@ -33,6 +33,8 @@ public:
     bool sweep(const std::vector<double>& limits, Ticker& ticker, double start, double end,
                const std::function<void()>& before_last = {});
 
+    /// Whether a site that is still there was allowed to go at all.
+    bool is_candidate(std::uint32_t vertex) const { return candidate_[vertex]; }
     /// The verdict on a vertex that is still there, from its last attempt.
     const Verdict& verdict(std::uint32_t vertex) const { return verdicts_[vertex]; }
 
@@ -72,9 +74,8 @@ private:
     Team& team_; // gathered for the first large round
     Guards guards_;
     std::vector<std::unique_ptr<Removal>> removals_; // by member of the team
-    std::vector<char> candidate_;
+    std::vector<char> candidate_;                    // what has gone is none any more
     std::vector<char> queued_;
-    std::vector<char> fresh_;            // never looked at since its star changed
     std::vector<std::uint32_t> touched_; // the round in which the star last changed; rounds count from 1
     std::uint32_t round_ = 0;
     std::uint32_t cuts_ = 0;
