@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "kept_vertices.hpp"
 #include "meshbound/validate.hpp"
 #include "number_text.hpp"
+#include "repeats_vertex.hpp"
 #include "segmentation_faces.hpp"
 
 namespace meshbound {
@@ -44,19 +46,7 @@ Status check_counts(const MappedSurfaces& surfaces) {
 }
 
 Status check_vertices(const MappedSurfaces& surfaces) {
-    const std::vector<std::uint32_t>& vertices = surfaces.vertices;
-    const std::size_t original = surfaces.map.places.size();
-    const auto wrong = [&](std::size_t v, const std::string& why) {
-        return bad_map("Vertex " + text(v) + " of the reduced mesh is said to be vertex " + text(vertices[v]) +
-                           " of the original, " + why,
-                       v);
-    };
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-        if (vertices[v] >= original) return wrong(v, "which has " + text(original) + " vertices (counted from 0).");
-        if (v > 0 && vertices[v] <= vertices[v - 1])
-            return wrong(v, "but the one before to be vertex " + text(vertices[v - 1]) + "; they must rise.");
-    }
-    return {};
+    return check_kept_vertices("the reduced mesh", surfaces.vertices, surfaces.map.places.size(), Fault::bad_map);
 }
 
 /// NaN fails.

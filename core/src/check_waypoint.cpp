@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "kept_vertices.hpp"
+
 namespace meshbound {
 namespace {
 
@@ -10,29 +12,12 @@ Status inconsistent(const std::string& message, const std::string& variable = ""
     return {Fault::bad_waypoint, message, variable, {}};
 }
 
-Status wrong_vertex(const Waypoint& waypoint, std::size_t v, const std::string& why) {
-    return {Fault::bad_waypoint,
-            "Vertex " + std::to_string(v) + " of the waypoint is said to be vertex " +
-                std::to_string(waypoint.vertices[v]) + " of the original, " + why,
-            "", v};
-}
-
 Status check_vertices(const Waypoint& waypoint) {
     const auto& vertices = waypoint.vertices;
     if (vertices.size() != vertex_count(waypoint.mesh))
         return inconsistent("The waypoint has " + std::to_string(vertex_count(waypoint.mesh)) +
                             " vertices and says of " + std::to_string(vertices.size()) + " where they come from.");
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-        if (vertices[v] >= waypoint.report.vertices_before)
-            return wrong_vertex(waypoint, v,
-                                "which has " + std::to_string(waypoint.report.vertices_before) +
-                                    " vertices (counted from 0).");
-        if (v > 0 && vertices[v] <= vertices[v - 1])
-            return wrong_vertex(waypoint, v,
-                                "but the one before to be vertex " + std::to_string(vertices[v - 1]) +
-                                    "; they must rise.");
-    }
-    return {};
+    return check_kept_vertices("the waypoint", vertices, waypoint.report.vertices_before, Fault::bad_waypoint);
 }
 
 /// NaN fails.

@@ -9,6 +9,7 @@
 #include "feature_limit.hpp"
 #include "focus.hpp"
 #include "number_text.hpp"
+#include "out_of_memory.hpp"
 #include "reduction_run.hpp"
 #include "ticker.hpp"
 
@@ -131,11 +132,7 @@ Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const 
         ticker.finish();
         return {};
     } catch (const std::bad_alloc&) {
-        return {Fault::out_of_memory,
-                "There is no memory left for reducing " + std::to_string(mesh.triangles.size()) + " triangles to " +
-                    std::to_string(bounds.size()) + " levels.",
-                "",
-                {}};
+        return out_of_memory("reducing", mesh.triangles.size(), " to " + std::to_string(bounds.size()) + " levels");
     }
 }
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <new>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
 #include "check_map.hpp"
 #include "meshbound/segmentation.hpp"
+#include "out_of_memory.hpp"
 
 namespace meshbound {
 namespace {
@@ -125,11 +125,7 @@ Status make_morph(const MappedSurfaces& surfaces, Morph& morph, const Progress& 
         morph = morph_by(surfaces, std::move(segmentation));
         return {};
     } catch (const std::bad_alloc&) {
-        return {Fault::out_of_memory,
-                "There is no memory left for morphing " + std::to_string(surfaces.original.triangles.size()) +
-                    " triangles.",
-                "",
-                {}};
+        return out_of_memory("morphing", surfaces.original.triangles.size());
     }
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "half_edge_runs.hpp"
+#include "repeats_vertex.hpp"
 
 namespace meshbound {
 namespace {
@@ -23,7 +24,7 @@ std::vector<Neighbour> find_neighbours(const std::vector<glm::uvec3>& triangles,
     origin.reserve(3 * triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
         const glm::uvec3& triangle = triangles[t];
-        if (triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x) continue;
+        if (repeats_vertex(triangle)) continue;
         origin.insert(origin.end(), {triangle.x, triangle.y, triangle.z});
         proper.push_back(t);
     }

@@ -2,13 +2,13 @@
 
 #include <new>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "check_options.hpp"
 #include "feature_limit.hpp"
 #include "focus.hpp"
+#include "out_of_memory.hpp"
 #include "reduction_run.hpp"
 #include "ticker.hpp"
 
@@ -49,10 +49,7 @@ Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Re
         ticker.finish();
         return {};
     } catch (const std::bad_alloc&) {
-        return {Fault::out_of_memory,
-                "There is no memory left for reducing " + std::to_string(mesh.triangles.size()) + " triangles.",
-                "",
-                {}};
+        return out_of_memory("reducing", mesh.triangles.size());
     }
 }
 

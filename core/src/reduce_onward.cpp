@@ -11,6 +11,7 @@
 #include "check_waypoint.hpp"
 #include "measured_bounds.hpp"
 #include "number_text.hpp"
+#include "out_of_memory.hpp"
 #include "reduction_run.hpp"
 #include "rows.hpp"
 #include "ticker.hpp"
@@ -148,11 +149,7 @@ Status reduce_onward(const Waypoint& waypoint, const Bounds& bounds, const Optio
         ticker.finish();
         return {};
     } catch (const std::bad_alloc&) {
-        return {Fault::out_of_memory,
-                "There is no memory left for reducing " + std::to_string(waypoint.mesh.triangles.size()) +
-                    " triangles further.",
-                "",
-                {}};
+        return out_of_memory("reducing", waypoint.mesh.triangles.size(), " further");
     }
 }
 

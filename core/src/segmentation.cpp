@@ -11,6 +11,8 @@
 #include "check_map.hpp"
 #include "orientation.hpp"
 #include "oriented_segmentation.hpp"
+#include "out_of_memory.hpp"
+#include "repeats_vertex.hpp"
 #include "segmentation_cutting.hpp"
 #include "segmentation_faces.hpp"
 #include "segmentation_outline.hpp"
@@ -234,11 +236,7 @@ Status segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const
         segmentation = std::move(cut);
         return {};
     } catch (const std::bad_alloc&) {
-        return {Fault::out_of_memory,
-                "There is no memory left for cutting " + std::to_string(surfaces.original.triangles.size()) +
-                    " triangles by their map.",
-                "",
-                {}};
+        return out_of_memory("cutting", surfaces.original.triangles.size(), " by their map");
     }
 }
 

@@ -11,11 +11,6 @@
 
 namespace meshbound {
 
-/// Whether a triangle names a vertex twice: then it is none.
-inline bool repeats_vertex(const glm::uvec3& triangle) {
-    return triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x;
-}
-
 /// Finds triangles of a mesh by their vertices; nowhere if there is none.
 class Faces {
 public:

@@ -14,16 +14,6 @@ void Surface::cut_borders() {
     }
 }
 
-/// Calls `visit(spoke)` along the fan that a half-edge begins.
-template <class Visit>
-void Surface::walk_fan(std::uint32_t start, const Visit& visit) const {
-    std::uint32_t spoke = start;
-    do {
-        visit(spoke);
-        spoke = next_spoke(spoke);
-    } while (spoke != no_index && spoke != start);
-}
-
 std::uint32_t Surface::fan_length(std::uint32_t start) const {
     std::uint32_t length = 0;
     walk_fan(start, [&](std::uint32_t) { ++length; });

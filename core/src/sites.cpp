@@ -56,13 +56,10 @@ bool Surface::is_free(std::uint32_t vertex) const {
 bool Surface::triangle_exists(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     bool found = false;
     for_each_in_site(a, [&](std::uint32_t copy) {
-        const std::uint32_t first = outgoing_[copy];
-        std::uint32_t spoke = first;
-        do {
+        walk_fan(outgoing_[copy], [&](std::uint32_t spoke) {
             const std::uint32_t one = site(target(spoke)), other = site(origin(previous(spoke)));
             found = found || (one == site(b) && other == site(c)) || (one == site(c) && other == site(b));
-            spoke = next_spoke(spoke);
-        } while (spoke != no_index && spoke != first);
+        });
     });
     return found;
 }

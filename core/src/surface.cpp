@@ -5,6 +5,7 @@
 
 #include "half_edge_runs.hpp"
 #include "hole.hpp"
+#include "repeats_vertex.hpp"
 
 namespace meshbound {
 
@@ -14,7 +15,7 @@ Surface::Surface(const std::vector<glm::uvec3>& triangles, std::size_t vertices,
     origin_.reserve(3 * triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const glm::uvec3& triangle = triangles[t];
-        if (triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x) continue;
+        if (repeats_vertex(triangle)) continue;
         for (int corner = 0; corner < 3; ++corner) origin_.push_back(triangle[corner]);
         if (!regions.empty()) regions_.push_back(regions[t]);
     }

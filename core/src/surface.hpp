@@ -139,8 +139,15 @@ private:
         std::uint32_t input, start;
     };
     void cut_borders();
+    /// Calls `visit(spoke)` along the fan that a half-edge begins.
     template <class Visit>
-    void walk_fan(std::uint32_t start, const Visit& visit) const;
+    void walk_fan(std::uint32_t start, const Visit& visit) const {
+        std::uint32_t spoke = start;
+        do {
+            visit(spoke);
+            spoke = next_spoke(spoke);
+        } while (spoke != no_index && spoke != start);
+    }
     std::uint32_t fan_length(std::uint32_t start) const;
     std::size_t classify();
     std::vector<Fan> find_fans() const;

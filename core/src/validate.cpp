@@ -8,6 +8,7 @@
 
 #include "orientation.hpp"
 #include "removal.hpp"
+#include "repeats_vertex.hpp"
 
 namespace meshbound {
 namespace {
@@ -127,7 +128,7 @@ Oddities find_oddities(const Mesh& mesh) {
     Oddities odd;
     std::vector<bool> used(vertex_count(mesh), false);
     for (const glm::uvec3& triangle : mesh.triangles) {
-        if (triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x) {
+        if (repeats_vertex(triangle)) {
             ++odd.repeated_vertex_triangles;
             continue;
         }
