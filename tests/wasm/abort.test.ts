@@ -1,5 +1,8 @@
+import { Worker } from 'node:worker_threads';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { reduce } from '../../wasm/index.ts';
+import type { Answer, Outcome } from '../../wasm/messages.ts';
+import type { Reduction } from '../../wasm/types.ts';
 import { bumpyPlate } from './bumpy-plate.ts';
 
 const bounds = { '*': { relative: 0.01 } };
@@ -16,8 +19,16 @@ async function abortInFlight(): Promise<void> {
   await expect(running).rejects.toMatchObject(aborted);
 }
 
+/** What a worker says when the task that it is at ends, which the caller of an aborted one is not told. */
+function outcomeOf(worker: Worker): Promise<Outcome<Reduction>> {
+  return new Promise((resolve) => {
+    worker.on('message', (answer: Answer) => 'outcome' in answer && resolve(answer.outcome as Outcome<Reduction>));
+  });
+}
+
 afterEach(() => {
   vi.unstubAllGlobals();
+  vi.restoreAllMocks();
 });
 
 describe('progress', () => {
@@ -37,13 +48,19 @@ describe('abort', () => {
   });
 
   test('ends a running reduction through shared memory, and the worker goes on with the next', async () => {
+    const posts = vi.spyOn(Worker.prototype, 'postMessage');
     await abortInFlight();
+    const worker = posts.mock.contexts[0] as Worker;
+    expect(await outcomeOf(worker)).toMatchObject({ ok: true, value: { report: { stopped: 'cancelled' } } });
     await expect(reduce(small, { bounds })).resolves.toBeDefined();
+    expect(new Set(posts.mock.contexts)).toEqual(new Set([worker]));
   });
 
-  test('ends a running reduction where memory cannot be shared', async () => {
+  test('ends a running reduction where memory cannot be shared, with its worker', async () => {
     vi.stubGlobal('SharedArrayBuffer', undefined);
+    const terminations = vi.spyOn(Worker.prototype, 'terminate');
     await abortInFlight();
+    expect(terminations).toHaveBeenCalledOnce();
     await expect(reduce(small, { bounds })).resolves.toBeDefined();
   });
 
