@@ -309,7 +309,7 @@ test('on a phone the surfaces are stacked, and most of each is seen between its 
 }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await openOwnPage(page, '<meshbound-viewer src="samples/fireballs.ply"></meshbound-viewer>');
-  await expect(page.locator('#reduced .caption')).toContainText(/Reduced [1-9]/, { timeout: 30_000 });
+  await expect(page.locator('#reduced .caption')).toContainText(/Reduced [1-9]/);
   for (const pane of ['#original', '#reduced']) {
     const boxes = ['', ' .caption', ' meshbound-legend'].map((part) => page.locator(pane + part).boundingBox());
     const [whole, caption, legend] = (await Promise.all(boxes)).map((box) => box?.height ?? 0);
@@ -330,7 +330,7 @@ test('several on a page are each for themselves', async ({ page }) => {
     ['a', 'cividis'],
     ['b', 'magma'],
   ] as const) {
-    await expect(page.locator(`#${id} #reduced .caption`)).toContainText(/Reduced [1-9]/, { timeout: 30_000 });
+    await expect(page.locator(`#${id} #reduced .caption`)).toContainText(/Reduced [1-9]/);
     await expect.poll(async () => shareFromMap(await picture(id), map)).toBeGreaterThan(0.8);
   }
   const before = await picture('b');

@@ -86,7 +86,7 @@ test('works on a page of another origin, twice, under a strict policy', async ({
   await page.goto(address);
   const of = async (id: string, name: string) =>
     (await told(page)).filter((each) => each.id === id && each.name === name);
-  await expect.poll(async () => (await of('first', 'reduce')).length, { timeout: 30_000 }).toBe(1);
+  await expect.poll(async () => (await of('first', 'reduce')).length).toBe(1);
   await expect.poll(async () => (await of('first', 'progress')).at(-1)?.detail).toEqual({ phase: 'draw', progress: 1 });
   const progress = (await of('first', 'progress')).map(({ detail }) => detail);
   expect(new Set(progress.map(({ phase }) => phase))).toEqual(new Set(['download', 'read', 'check', 'reduce', 'draw']));
@@ -104,7 +104,7 @@ test('works on a page of another origin, twice, under a strict policy', async ({
   // The other one is out of sight, and waits.
   expect(await of('second', 'progress')).toEqual([]);
   await page.locator('#second').scrollIntoViewIfNeeded();
-  await expect.poll(async () => (await of('second', 'reduce')).length, { timeout: 30_000 }).toBe(1);
+  await expect.poll(async () => (await of('second', 'reduce')).length).toBe(1);
   expect((await told(page)).filter(({ name }) => name === 'violation' || name === 'error')).toEqual([]);
   expect(faults).toEqual([]);
 });

@@ -11,7 +11,7 @@ test('the page about the element shows it at work, and names everything that it 
   page.on('console', (message) => message.type() === 'error' && faults.push(message.text()));
   await page.goto('./element.html');
   const viewer = page.locator('meshbound-viewer').first();
-  await expect(viewer.locator('.sentence')).toContainText('proved', { timeout: 30_000 });
+  await expect(viewer.locator('.sentence')).toContainText('proved');
   await expect(page.locator('figure pre').first()).toContainText('bounds="position: 1%; *: 3%; pressure: 0.005"');
   const before = await viewer.locator('.sentence').innerText();
   await page.getByRole('button', { name: 'Loosen' }).click();

@@ -66,7 +66,7 @@ test('every phase up to the result can be aborted, and the next file opens as ev
 test('a viewer with controls says how far it is, and can be cancelled there', async ({ page }) => {
   await page.goto('./element.html');
   const viewer = page.locator('meshbound-viewer').first();
-  await expect(viewer.locator('.sentence')).toContainText('proved', { timeout: 30_000 });
+  await expect(viewer.locator('.sentence')).toContainText('proved');
   const words = await viewer.locator('.sentence').innerText();
   await page.route('**/slow.ply', () => undefined);
   await viewer.evaluate((element) => element.setAttribute('src', 'slow.ply'));

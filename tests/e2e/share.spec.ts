@@ -87,7 +87,7 @@ test('the address holds the surface, the bounds and the view, and so do a link a
 
   const other = await browser.newPage();
   await other.goto(page().url());
-  await expect(sentence(other)).toHaveText(result, { timeout: 30_000 });
+  await expect(sentence(other)).toHaveText(result);
   await expect(other.getByLabel('Show')).toHaveValue('error');
   await expect(other.getByLabel('Edges')).toBeChecked();
   // Another address in the same page, as by a link in a note.
@@ -114,7 +114,7 @@ test('levels of detail, and which is shown, are in the address', async ({ browse
   await expect.poll(() => page().url()).toMatch(/level-count=2&level=2$/);
   const other = await browser.newPage();
   await other.goto(page().url());
-  await expect(other.locator('#reduced .caption')).toContainText('Level 2', { timeout: 40_000 });
+  await expect(other.locator('#reduced .caption')).toContainText('Level 2');
   await expect(other.getByLabel('Levels of detail')).toHaveValue('2');
   expect(await other.locator('#reduced .caption').innerText()).toBe(
     await page().locator('#reduced .caption').innerText(),

@@ -140,9 +140,7 @@ test('two cameras are in the address, both of them, and Fit takes them out', asy
   const other = await browser.newPage();
   await other.goto(page().url());
   for (const side of sides) {
-    await expect
-      .poll(async () => difference(await picture(side), await pictureOf(other, side)), { timeout: 30_000 })
-      .toBeLessThan(0.005);
+    await expect.poll(async () => difference(await picture(side), await pictureOf(other, side))).toBeLessThan(0.005);
   }
   await other.getByRole('button', { name: 'Fit' }).click();
   await expect.poll(() => other.url()).not.toContain('camera');
