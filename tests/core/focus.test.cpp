@@ -35,6 +35,10 @@ protected:
 };
 EVERY_MODE(Focus);
 
+/// What there is only where the map is kept.
+class MappedFocus : public Focus {};
+EVERY_TRACKED_MODE(MappedFocus);
+
 double multiplier(const Mesh& mesh, std::uint32_t vertex) { return value_at(mesh.variables.back(), vertex, 0); }
 
 /// The bounds free of the multiplier: it is a variable without a bound.
@@ -83,8 +87,7 @@ TEST_P(Focus, BoundsHoldAtEveryPointTimesTheMultiplierThere) {
         }
 }
 
-TEST_P(Focus, TheMapProvesThem) {
-    if (GetParam().options().errors != Errors::tracked) return; // there is no map else
+TEST_P(MappedFocus, TheMapProvesThem) {
     for (const auto& sharpness : {near_a_point, checkered}) {
         const Mesh mesh = with_sharpness(meshes::noisy_sphere(12, 0.05, 3), sharpness);
         const Reduction reduction = reduce(mesh, bounds_of(2, 6));

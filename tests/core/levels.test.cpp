@@ -11,10 +11,10 @@
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/oddities.hpp"
-#include "meshes/ply.hpp"
 #include "meshes/shapes.hpp"
 #include "modes.hpp"
 #include "promise.hpp"
+#include "samples.hpp"
 
 namespace {
 
@@ -94,14 +94,11 @@ TEST_P(LevelsTest, GetCoarser) {
 }
 
 TEST_P(LevelsTest, KeepTheirPromisesOverSamples) {
-    for (const std::string& file : meshes::sample_files()) {
-        SCOPED_TRACE(file);
-        const Mesh mesh = meshes::read_ply(file);
-        if (mesh.triangles.size() > 15'000) continue;
+    for_each_sample(15'000, [this](const Mesh& mesh) {
         const Levels levels = levels_of(mesh, doubling, true);
         expect_all_promises(mesh, levels, 20'000);
         expect_proofs(mesh, levels);
-    }
+    });
 }
 
 TEST_P(LevelsTest, ProveTheirErrorsAgainstTheOriginal) {

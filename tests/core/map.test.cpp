@@ -11,11 +11,11 @@
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/oddities.hpp"
-#include "meshes/ply.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
 #include "promise.hpp"
+#include "samples.hpp"
 
 namespace {
 
@@ -67,11 +67,7 @@ TEST_P(Map, ProvesThePromiseWhereNearlyNothingIsLeft) {
 }
 
 TEST_P(Map, ProvesThePromiseOverSamples) {
-    for (const std::string& file : meshes::sample_files()) {
-        SCOPED_TRACE(file);
-        const Mesh mesh = meshes::read_ply(file);
-        if (mesh.triangles.size() < 15'000) expect_proof(mesh, reduce(mesh, promise::percent(1, 3)));
-    }
+    for_each_sample(15'000, [this](const Mesh& mesh) { expect_proof(mesh, reduce(mesh, promise::percent(1, 3))); });
 }
 
 TEST_P(Map, IsTheIdentityWhereNothingWasRemoved) {

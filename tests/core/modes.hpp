@@ -42,3 +42,7 @@ inline std::string mode_name(const testing::TestParamInfo<Mode>& mode) { return 
 class ModeTest : public testing::TestWithParam<Mode> {};
 
 #define EVERY_MODE(Suite) INSTANTIATE_TEST_SUITE_P(EveryMode, Suite, testing::ValuesIn(modes()), mode_name)
+
+/// The same for what only a map tells.
+#define EVERY_TRACKED_MODE(Suite)                                                                                      \
+    INSTANTIATE_TEST_SUITE_P(EveryTrackedMode, Suite, testing::ValuesIn(tracked_modes()), mode_name)

@@ -15,12 +15,12 @@
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/oddities.hpp"
-#include "meshes/ply.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
 #include "promise.hpp"
+#include "samples.hpp"
 
 namespace {
 
@@ -213,13 +213,10 @@ TEST_P(MorphTest, StaysWithinBothLevelsTogetherWhereABoundDoesNotRise) {
 }
 
 TEST_P(MorphTest, LeadsFromLevelToLevelOverSamples) {
-    for (const std::string& file : meshes::sample_files()) {
-        SCOPED_TRACE(file);
-        const Mesh mesh = meshes::read_ply(file);
-        if (mesh.triangles.size() > 15'000) continue;
+    for_each_sample(15'000, [this](const Mesh& mesh) {
         for_each_step(mesh, {promise::percent(1, 3), promise::percent(3, 9)},
                       [](const Step& step) { expect_everything(step, 10'000); });
-    }
+    });
 }
 
 TEST_P(MorphTest, HoldsTogetherOddSurfaces) {

@@ -12,11 +12,11 @@
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/oddities.hpp"
-#include "meshes/ply.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "modes.hpp"
 #include "promise.hpp"
+#include "samples.hpp"
 
 namespace {
 
@@ -187,17 +187,14 @@ TEST_P(Onward, KeepsTheBoundsOfWhatWasFree) {
 }
 
 TEST_P(Onward, KeepsItsPromiseOverSamples) {
-    for (const std::string& file : meshes::sample_files()) {
-        SCOPED_TRACE(file);
-        const Mesh mesh = meshes::read_ply(file);
-        if (mesh.triangles.size() > 15'000) continue;
+    for_each_sample(15'000, [this](const Mesh& mesh) {
         const Waypoint waypoint = passed(mesh, usual);
         for (const Bounds& bounds : {usual, promise::percent(3, 9)}) {
             const Reduction reduction = onward(waypoint, bounds);
             promise::expect_judge_agrees(mesh, reduction);
             promise::expect_same_topology(mesh, reduction);
         }
-    }
+    });
 }
 
 TEST_P(Onward, KeepsItsPromiseOverOddSurfaces) {

@@ -9,6 +9,7 @@
 #include "meshes/ply.hpp"
 #include "modes.hpp"
 #include "promise.hpp"
+#include "samples.hpp"
 
 namespace {
 
@@ -20,16 +21,11 @@ constexpr std::size_t large_sample = 40'000;
 class Samples : public ModeTest {
 protected:
     static void expect_promise(double geometry, double variables, std::size_t most_triangles) {
-        if (meshes::sample_files().empty())
-            GTEST_SKIP() << "no samples; the build makes some, MESHBOUND_DATA names more";
-        for (const std::string& file : meshes::sample_files()) {
-            SCOPED_TRACE(file);
-            const Mesh mesh = meshes::read_ply(file);
-            if (mesh.triangles.size() > most_triangles) continue;
+        for_each_sample(most_triangles, [&](const Mesh& mesh) {
             const Reduction reduction =
                 promise::reduced(mesh, promise::percent(geometry, variables), GetParam().options());
             promise::expect_everything(mesh, reduction, 50'000);
-        }
+        });
     }
 };
 EVERY_MODE(Samples);
@@ -43,7 +39,7 @@ class Fireballs : public ModeTest {
 protected:
     static void expect_lost(double geometry, double variables, double least_share) {
         const std::string file = std::string(MESHBOUND_SAMPLES) + "/fireballs.ply";
-        if (!std::filesystem::exists(file)) GTEST_SKIP() << "no samples; npm run build makes them";
+        if (!std::filesystem::exists(file)) return miss_samples();
         const Mesh mesh = meshes::read_ply(file);
         const Reduction reduction = promise::reduced(mesh, promise::percent(geometry, variables), GetParam().options());
         EXPECT_LE(reduction.report.triangles_after, (1 - least_share) * reduction.report.triangles_before);
@@ -57,15 +53,12 @@ TEST_P(Fireballs, LoseThreeQuartersOfTheirTrianglesAtLooseBounds) { expect_lost(
 
 /// Nothing accumulates, so nothing is overestimated: the judge finds nearly what the map says.
 TEST(TrackedSamples, UseTheBoundsThatTheyAreGiven) {
-    if (meshes::sample_files().empty()) GTEST_SKIP() << "no samples; npm run build makes them";
-    for (const std::string& file : meshes::sample_files()) {
-        SCOPED_TRACE(file);
-        const Mesh mesh = meshes::read_ply(file);
+    for_each_sample(SIZE_MAX, [](const Mesh& mesh) {
         const Reduction reduction = promise::reduced(mesh, promise::percent(1, 3), Options{});
         const double judged = judge::judge(mesh, reduction.mesh, promise::absolute_bounds(reduction)).ratio();
         EXPECT_GE(judged, 0.85);
         EXPECT_LE(judged, 1);
-    }
+    });
 }
 
 } // namespace

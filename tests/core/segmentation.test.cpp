@@ -17,12 +17,12 @@
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/oddities.hpp"
-#include "meshes/ply.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
 #include "orientation.hpp"
 #include "promise.hpp"
+#include "samples.hpp"
 #include "segmentation_cutting.hpp"
 
 namespace {
@@ -307,12 +307,7 @@ TEST(Segmentation, CoversSurfacesOfSeveralRegions) {
 }
 
 TEST(Segmentation, CoversSamples) {
-    for (const std::string& file : meshes::sample_files()) {
-        SCOPED_TRACE(file);
-        const Mesh mesh = meshes::read_ply(file);
-        if (mesh.triangles.size() > 15'000) continue;
-        Segmented(mesh, promise::percent(1, 3), {}).expect_everything();
-    }
+    for_each_sample(15'000, [](const Mesh& mesh) { Segmented(mesh, promise::percent(1, 3), {}).expect_everything(); });
 }
 
 TEST(Segmentation, LeavesRepeatedVerticesOut) {
