@@ -5,6 +5,7 @@ import { basename, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { reduce, reduceLevels, reduceOnward } from '../../wasm/index.ts';
 import type { Levels, Mesh, MorphEnd, ReduceOptions, Reduction, SurfaceMap, Waypoint } from '../../wasm/types.ts';
+import { mustSkip } from '../skipping.ts';
 import { differences, type LabelledArrays, type NumberArray, readLabelledArrays } from './labelled-arrays.ts';
 
 const program = 'build/native/tests/native_reduction';
@@ -138,7 +139,9 @@ function levelArrays({ levels, morphs }: Levels): LabelledArrays {
   ]);
 }
 
-describe.skipIf(!existsSync(program))('the native and the WebAssembly build give the same bytes', () => {
+const missing = existsSync(program) ? undefined : 'the native build is missing';
+
+describe.skipIf(mustSkip(missing))('the native and the WebAssembly build give the same bytes', () => {
   const folder = mkdtempSync(join(tmpdir(), 'meshbound-'));
   const read = (file: string) => readLabelledArrays(readFileSync(join(folder, file)));
   beforeAll(() => execFileSync(program, [folder]));
