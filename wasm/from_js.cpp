@@ -1,5 +1,6 @@
 #include "from_js.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -174,6 +175,14 @@ std::vector<T> list_in(const val& whole, const char* name, Convert convert) {
     return list_from<T>(part_of(whole, name), [&](const val& element) { return convert(present(element, name)); });
 }
 
+unsigned threads_from(const val& threads) {
+    const double value = number_from(threads);
+    if (value >= 1 && value <= 64 && value == std::floor(value)) {
+        return static_cast<unsigned>(value);
+    }
+    throw ShapeError{{Fault::bad_option, "The number of threads must be a whole number from 1 to 64.", {}, {}}};
+}
+
 std::string text_from(const val& text) { return text.isString() ? text.as<std::string>() : std::string(); }
 
 VariableReport variable_report_from(const val& report) {
@@ -260,6 +269,12 @@ Bounds bounds_from(const val& bounds) {
 
 Options options_from(const val& options) {
     Options result;
+    if (const val sweeps = options["sweeps"]; !sweeps.isUndefined()) {
+        result.sweeps = list_from<double>(sweeps, number_from);
+    }
+    if (const val threads = options["threads"]; !threads.isUndefined()) {
+        result.threads = threads_from(threads);
+    }
     if (const val errors = options["errors"]; !errors.isUndefined()) {
         result.errors = errors_from(errors.as<std::string>());
     }
