@@ -1,7 +1,7 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
 import { joined } from './joined-arrays.ts';
-import { type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
+import { type Polygons, polygonNotes, trianglesIn, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
 import type { VtkValues } from './vtk-values.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
@@ -89,7 +89,7 @@ function joinValues(parts: PointArray[]): VtkValues {
 }
 
 function joinTriangles(pieces: Piece[], notes: string[]): Uint32Array {
-  let [points, split, strips] = [0, 0, 0];
+  let [points, split, short, strips] = [0, 0, 0, 0];
   const parts = pieces.flatMap((piece) => {
     const position = piece.position.values;
     const ofPolygons = triangulate(piece.polygons, position, `${piece.prefix}polygon`);
@@ -97,11 +97,12 @@ function joinTriangles(pieces: Piece[], notes: string[]): Uint32Array {
     const shift = points;
     points += position.length / 3;
     split += ofPolygons.split;
+    short += ofPolygons.short;
     strips += piece.strips.ends.length;
     const shifted = (corners: Uint32Array) => (shift === 0 ? corners : corners.map((corner) => corner + shift));
     return [shifted(ofPolygons.triangles), shifted(ofStrips)];
   });
-  if (split > 0) notes.push(`${counted(split, 'polygon')} with more than three corners split into triangles.`);
+  notes.push(...polygonNotes('polygon', split, short));
   if (strips > 0) notes.push(`${counted(strips, 'triangle strip')} taken apart into triangles.`);
   const full = parts.filter((part) => part.length > 0);
   const triangles = full.length === 1 ? full[0] : joined(full, Uint32Array);
@@ -142,12 +143,13 @@ function isLabel(value: number): boolean {
  * each number misfitAmong says nothing.
  */
 export function labelsOfTriangles(values: ArrayLike<number>, before: number, { ends }: Polygons): Int32Array {
-  const labels = new Int32Array(ends.length > 0 ? ends[ends.length - 1] - 2 * ends.length : 0);
+  const triangles = (polygon: number) => trianglesIn(ends[polygon] - (polygon > 0 ? ends[polygon - 1] : 0));
+  const labels = new Int32Array(ends.reduce((sum, _, polygon) => sum + triangles(polygon), 0));
   let triangle = 0;
-  ends.forEach((end, polygon) => {
-    const corners = end - (polygon > 0 ? ends[polygon - 1] : 0);
-    labels.fill(values[before + polygon], triangle, triangle + corners - 2);
-    triangle += corners - 2;
-  });
+  for (let polygon = 0; polygon < ends.length; polygon++) {
+    const next = triangle + triangles(polygon);
+    labels.fill(values[before + polygon], triangle, next);
+    triangle = next;
+  }
   return labels;
 }
