@@ -388,7 +388,7 @@ describe('rows of an ASCII PLY file', () => {
       // One row too short, another one too long.
       [[...places.with(1, '1 0'), '3 0 1 2 0', '3 0 2 3'], 'line 12'],
       // All faces in one line, which has too much.
-      [[...places, '3 0 1 2 9 3 0 2 3'], 'line 13'],
+      [[...places, '3 0 1 2 9 3 0 2 3'], 'line 14'],
     ] as const) {
       const { message } = await faultOf(`${head(points, faceList)}${lines.join('\n')}\n`);
       expect(message).toContain(line);
