@@ -124,7 +124,7 @@ describe('a legacy VTK file', () => {
     ['with more numbers than cells', `${head + points}POLYGONS 1 5\n3 0 1 2 0\n`, 'count_mismatch', 'take 4'],
     ['with a huge cell', `${head + points}POLYGONS 1 4\n2000000000 0 1 2\n`, 'bad_polygon', '2000000000 corners'],
     ['with a negative cell', `${head + points}POLYGONS 1 4\n-1 0 1 2\n`, 'bad_polygon', '-1 corners'],
-    ['with a cell of two corners', `${head + points}POLYGONS 1 3\n2 0 1\n`, 'bad_polygon', 'Polygon 0', '2 corners'],
+    ['with a cell of two corners alone', `${head + points}POLYGONS 1 3\n2 0 1\n`, 'no_triangles', 'no polygons'],
     ['with an index beyond the points', `${head + points}POLYGONS 1 4\n3 0 1 3\n`, 'bad_index', 'Polygon 0', 'point 3'],
     ['with a negative index', `${head + points}POLYGONS 1 4\n3 0 -1 2\n`, 'bad_index', '-1'],
     ['with other counts of data', `${geometry}POINT_DATA 4\n`, 'count_mismatch', '4 points'],

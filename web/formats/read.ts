@@ -5,6 +5,7 @@ import { gunzip, isGzip } from './gzip.ts';
 import { withJoinedFaces } from './loose-faces.ts';
 import { withOpenSeams } from './open-seams.ts';
 import { recognise } from './recognise.ts';
+import { stlKind } from './stl-kind.ts';
 import { type Beside, type Format, noLabels, type Surface } from './surface.ts';
 import { withinMemory } from './within-memory.ts';
 import { quoted } from './wording.ts';
@@ -62,7 +63,14 @@ export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promi
   return { ...extended, units, notes, summary: notes.join(' ') };
 }
 
-async function readUnpacked(name: string, bytes: Uint8Array, beside?: Beside): Promise<SurfaceFile> {
+/** Without the mark that some programs put before a text in UTF-8. */
+function withoutByteOrderMark(bytes: Uint8Array): Uint8Array {
+  const isMarked = [0xef, 0xbb, 0xbf].every((byte, i) => bytes[i] === byte);
+  return isMarked && stlKind(bytes) !== 'binary' ? bytes.slice(3) : bytes;
+}
+
+async function readUnpacked(name: string, whole: Uint8Array, beside?: Beside): Promise<SurfaceFile> {
+  const bytes = withoutByteOrderMark(whole);
   const format = recognise(bytes, name);
   const read = await readers[format]();
   const surface = withoutGeometryName(await withinMemory(async () => read(bytes, beside)));
