@@ -14,6 +14,7 @@ import { checkAccessors } from './gltf-accessors.ts';
 import { readBuffers } from './gltf-buffers.ts';
 import { openGltf } from './gltf-container.ts';
 import type { GltfJson } from './gltf-json.ts';
+import { neededOnly } from './gltf-needed.ts';
 import {
   extrasOf,
   type GltfAttribute,
@@ -57,7 +58,8 @@ interface Part {
  * or whatever the writer of this project noted as its name. glTF knows single precision only.
  */
 export async function readGltf(bytes: Uint8Array, beside?: Beside): Promise<Surface> {
-  const file = openGltf(bytes);
+  const opened = openGltf(bytes);
+  const file = { ...opened, json: neededOnly(opened.json) };
   const buffers = await readBuffers(file, beside);
   const fileSize = bytes.length + [...new Set(buffers)].reduce((sum, { length }) => sum + length, 0);
   checkAccessors(file.json, buffers, fileSize);
