@@ -20,7 +20,7 @@ interface Signature {
 const signatures: Signature[] = [
   { begins: /^ply[ \t]*[\r\n]/, format: 'ply', called: 'PLY' },
   { begins: new RegExp(`^(?:\\xEF\\xBB\\xBF)?${prolog}<VTKFile\\b`), format: 'vtp', called: 'VTK XML' },
-  { begins: /^# vtk DataFile/i, format: 'vtk', called: 'legacy VTK' },
+  { begins: /^\s*# vtk DataFile/i, format: 'vtk', called: 'legacy VTK' },
   { begins: 'glTF', format: 'glb', called: 'GLB' },
   { begins: isStl, format: 'stl', called: 'STL' },
   { begins: /^\s*\{[^\0]*$/, format: 'glb', called: 'glTF' },

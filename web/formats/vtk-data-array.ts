@@ -25,6 +25,11 @@ export interface VtkPacking {
   budget: { bytes: number };
 }
 
+/** Whether an array is of numbers that are read here: others are text, or in a form that VTK writes no more or not yet. */
+export function isOfNumbers({ attributes: { type, format = '' } }: XmlNode): boolean {
+  return isVtkType(type) && ['ascii', 'binary', 'appended'].includes(format);
+}
+
 export function isFloatArray({ attributes }: XmlNode): boolean {
   return isVtkType(attributes.type) && isFloat(attributes.type);
 }
