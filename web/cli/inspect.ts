@@ -8,6 +8,7 @@ import { exitStatus } from './exit-status.ts';
 import { sayNotes } from './notes.ts';
 import { type OpenedSurface, openSurface } from './surface-files.ts';
 import { numberText, textTable } from './text-table.ts';
+import { parseWeld, weldHelp } from './weld-argument.ts';
 
 const help = `Shows what a surface is like, and what its variables span.
 
@@ -20,6 +21,7 @@ bound is a fraction) and how many values are NaN or infinite.
 
 Options:
   --variables FILE.csv    more variables of FILE: names in the first line, then a line for each point
+  ${weldHelp}
   --json                  the same for programs
   --quiet                 say nothing of how the file was read
 
@@ -122,10 +124,15 @@ function print(found: Inspection): void {
 
 async function run(args: string[]): Promise<number> {
   const { values, positionals } = parseArguments(args, {
-    options: { variables: { type: 'string' }, json: { type: 'boolean' }, quiet: { type: 'boolean' } },
+    options: {
+      variables: { type: 'string' },
+      weld: { type: 'string' },
+      json: { type: 'boolean' },
+      quiet: { type: 'boolean' },
+    },
     positionals: ['FILE'],
   });
-  const surface = await openSurface(positionals[0], values.variables);
+  const surface = await openSurface(positionals[0], values.variables, { weld: parseWeld(values.weld) });
   const found = inspection(surface);
   if (values.json) console.log(JSON.stringify(found, undefined, 2));
   else print(found);

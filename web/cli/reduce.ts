@@ -29,8 +29,16 @@ import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
 import { type FileNotes, writeLevelFiles } from './write-level-files.ts';
 
-async function openInput({ input, variables: csv, exclude, options, keeping, map }: Request): Promise<OpenedSurface> {
-  const surface = withRegions(keeping, without(exclude, await openSurface(input, csv)));
+async function openInput({
+  input,
+  variables: csv,
+  weld,
+  exclude,
+  options,
+  keeping,
+  map,
+}: Request): Promise<OpenedSurface> {
+  const surface = withRegions(keeping, without(exclude, await openSurface(input, csv, { weld })));
   requireKnownBounds(options.bounds, surface);
   requireFocus(keeping, surface);
   if (map) {

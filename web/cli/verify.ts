@@ -12,6 +12,7 @@ import { sayNotes } from './notes.ts';
 import { freeNotes } from './report.ts';
 import { openSurface } from './surface-files.ts';
 import { findingsOf, verdictText } from './verdict.ts';
+import { parseWeld, weldHelp } from './weld-argument.ts';
 
 const help = `Checks by an independent judge whether a reduced surface keeps the bounds.
 
@@ -26,6 +27,7 @@ Bounds are written as for "meshbound reduce"; percentages are of the extents in 
 Options:
   -b, --bound NAME=BOUND  as often as needed
   --variables FILE.csv    more variables of ORIGINAL: names in the first line, then a line for each point
+  ${weldHelp}
   --focus NAME            a variable of ORIGINAL that multiplies every bound, as for "meshbound reduce"
   --samples N             how many points of each surface are looked at, more or less (default 50000);
                           never fewer than its vertices, edges and triangles
@@ -42,6 +44,7 @@ const signature = {
   options: {
     bound: { type: 'string', short: 'b', multiple: true, default: [] as string[] },
     variables: { type: 'string' },
+    weld: { type: 'string' },
     focus: { type: 'string', multiple: true, default: [] as string[] },
     samples: { type: 'string', default: '50000' },
     json: { type: 'boolean', default: false },
@@ -77,8 +80,9 @@ async function run(args: string[]): Promise<number> {
   const { values, positionals } = parseArguments(args, signature);
   const bounds = parseBounds(values.bound);
   const samples = parseSamples(values.samples);
+  const weld = parseWeld(values.weld);
   const focus = parseFocus(values.focus);
-  const original = await openSurface(positionals[0], values.variables);
+  const original = await openSurface(positionals[0], values.variables, { weld });
   const reduced = await openSurface(positionals[1]);
   const { names, limits, one, other } = comparable(original, reduced, bounds);
   const multipliers = focus === undefined ? [] : multipliersOf(original, focus);

@@ -1,8 +1,7 @@
-import { emptied, type Polygons, trianglesIn } from './polygons.ts';
+import { emptied, type Polygons } from './polygons.ts';
 import type { Piece, PointArray } from './vtk-pieces.ts';
 import type { VtkValues } from './vtk-values.ts';
 import { gather } from './weld.ts';
-import { counted } from './wording.ts';
 
 /** What VTK calls the array of bits that say what a point or a cell is not, and what it called that before version 6.3. */
 const [ghostName, ghostLevelName] = ['vtkGhostType', 'vtkGhostLevels'];
@@ -20,13 +19,6 @@ export function isGhostArray(name: string): boolean {
 /** For each cell whether it is to be left out, from an array of that kind. */
 function goneCells({ name, values }: Pick<PointArray, 'name' | 'values'>): (cell: number) => boolean {
   return name === ghostName ? (cell) => (values[cell] & goneCell) !== 0 : (cell) => values[cell] > 0;
-}
-
-/** What was left out of a piece. */
-export interface Ghosts {
-  polygons: number;
-  strips: number;
-  points: number;
 }
 
 /**
@@ -88,27 +80,4 @@ function onlyPoints(piece: Piece, kept: Uint32Array): Piece {
     polygons: moved(piece.polygons),
     strips: moved(piece.strips),
   };
-}
-
-/** What is to be said of the ghosts of all pieces: a sentence, or none. */
-export function ghostNotes(pieces: Piece[]): string[] {
-  const sum = (count: (ghosts: Ghosts) => number) =>
-    pieces.reduce((total, { ghosts }) => total + (ghosts ? count(ghosts) : 0), 0);
-  const [cells, points] = [sum(({ polygons, strips }) => polygons + strips), sum(({ points }) => points)];
-  const parts = [
-    ...(cells > 0 ? [counted(cells, 'ghost cell')] : []),
-    ...(points > 0 ? [counted(points, 'ghost point')] : []),
-  ];
-  return parts.length > 0
-    ? [`${parts.join(' and ')} left out: other cells or pieces have their places, or they are hidden.`]
-    : [];
-}
-
-/** How many cells make triangles, and how many have too few corners for that and are no ghosts. */
-export function countCells({ ends }: Polygons, ghosts: number): { full: number; short: number } {
-  let full = 0;
-  ends.forEach((end, cell) => {
-    if (trianglesIn(end - (cell > 0 ? ends[cell - 1] : 0)) > 0) full++;
-  });
-  return { full, short: ends.length - full - ghosts };
 }

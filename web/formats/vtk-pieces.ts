@@ -3,7 +3,7 @@ import { FormatError } from './format-error.ts';
 import { joined } from './joined-arrays.ts';
 import { type Polygons, polygonNotes, trianglesIn, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
-import { countCells, type Ghosts, ghostNotes } from './vtk-ghosts.ts';
+import { countCells, type Ghosts, ghostNotes } from './vtk-ghost-counts.ts';
 import type { VtkValues } from './vtk-values.ts';
 import { counted, grouped, listed } from './wording.ts';
 
