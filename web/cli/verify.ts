@@ -1,6 +1,7 @@
 import { MeshboundError } from '../../wasm/errors.ts';
 import { judgeAccuracy, loadJudge, type Verdict } from '../../wasm/judge-module.ts';
 import type { Mesh } from '../../wasm/types.ts';
+import { spanOf } from '../surface/value-span.ts';
 import { parseArguments } from './arguments.ts';
 import { parseBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
@@ -95,7 +96,8 @@ async function run(args: string[]): Promise<number> {
   } else if (!values.quiet) {
     for (const { path, notes } of [original, reduced]) sayNotes(path, notes);
     sayNotes(original.path, freeNotes(unnamed(bounds, original.mesh)));
-    console.log(verdictText(findings));
+    const position = { name: 'position', components: 3, values: original.mesh.position };
+    console.log(verdictText(findings, spanOf(position).components));
     console.log(within ? 'The bounds hold at every sample.' : 'A bound is broken.');
   }
   return within ? exitStatus.done : exitStatus.boundBroken;
