@@ -13,7 +13,7 @@ Usage: meshbound reduce IN -o OUT --bound NAME=BOUND …
        meshbound reduce IN -o OUT --levels BOUND,BOUND … [--bound NAME=BOUND,BOUND … …]
 
 A bound is the largest allowed error of a variable: 1% of its extent (the length of the diagonal of the box of its
-values), 0.2 in its unit, or free. "position" is the geometry, "*" every variable not named; of two bounds with one name
+values), 0.2 in its unit, or free. “position” is the geometry, “*” every variable not named; of two bounds with one name
 the later one holds. A variable without bound is free: it is carried along, and nothing is promised of it.
 
 Options:

@@ -23,13 +23,13 @@ The judge knows nothing of how the surface was reduced, and shares no code with 
 the space of position and variables together, looks from many points of each for the nearest point of the other, and does
 the same with their boundaries. Distances are given in bounds: 1 is the limit.
 
-Bounds are written as for "meshbound reduce"; percentages are of the extents in ORIGINAL.
+Bounds are written as for “meshbound reduce”; percentages are of the extents in ORIGINAL.
 
 Options:
   -b, --bound NAME=BOUND  as often as needed
   --variables FILE.csv    more variables of ORIGINAL: names in the first line, then a line for each point
   ${weldHelp}
-  --focus NAME            a variable of ORIGINAL that multiplies every bound, as for "meshbound reduce"
+  --focus NAME            a variable of ORIGINAL that multiplies every bound, as for “meshbound reduce”
   --samples N             how many points of each surface are looked at, more or less (default 50000);
                           never fewer than its vertices, edges and triangles
   --json                  the same for programs

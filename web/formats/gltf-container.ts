@@ -3,7 +3,7 @@ import { refuseCompression } from './gltf-compression.ts';
 import type { GltfJson } from './gltf-json.ts';
 import { checkShape } from './gltf-shape.ts';
 import { utf8Text } from './utf8-text.ts';
-import { grouped } from './wording.ts';
+import { foreign, grouped } from './wording.ts';
 
 export interface GltfFile {
   json: GltfJson;
@@ -62,7 +62,7 @@ function parseJson(bytes: Uint8Array): GltfJson {
     const cut = !text.trimEnd().endsWith('}');
     throw new FormatError(
       cut ? 'truncated' : 'bad_header',
-      `The JSON of the glTF file is broken: ${(error as Error).message}.`,
+      `The JSON of the glTF file is broken: ${foreign((error as Error).message)}.`,
     );
   }
 }

@@ -28,7 +28,7 @@ import { joined } from './joined-arrays.ts';
 import { checkIndices } from './polygons.ts';
 import type { Beside, Surface } from './surface.ts';
 import { weldedSurface } from './welded-surface.ts';
-import { counted, listed } from './wording.ts';
+import { counted, foreign, listed } from './wording.ts';
 
 /** The modes of a primitive that are triangles. */
 const modes = { triangles: 4, strip: 5, fan: 6 };
@@ -97,7 +97,10 @@ async function readDocument(json: GltfJson, buffers: Uint8Array[]): Promise<Docu
     const plain = geometryOnly(json) as unknown as JSONDocument['json'];
     return await new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).readJSON({ json: plain, resources });
   } catch (error) {
-    throw new FormatError('bad_header', `The JSON of the file does not follow glTF 2.0 (${(error as Error).message}).`);
+    throw new FormatError(
+      'bad_header',
+      `The JSON of the file does not follow glTF 2.0 (${foreign((error as Error).message)}).`,
+    );
   }
 }
 

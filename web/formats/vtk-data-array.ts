@@ -3,7 +3,7 @@ import { AsciiNumbers } from './ascii-numbers.ts';
 import { Base64Bytes, type ByteStream, RawBytes } from './byte-streams.ts';
 import { FormatError } from './format-error.ts';
 import { byteLength, fromBytes, isFloat, isVtkType, roomFor, type VtkType, type VtkValues } from './vtk-values.ts';
-import { counted, grouped, quoted } from './wording.ts';
+import { counted, foreign, grouped, quoted } from './wording.ts';
 import type { XmlNode } from './xml-tree.ts';
 
 export interface AppendedData {
@@ -150,7 +150,7 @@ function inflate(compressed: Uint8Array, room: Uint8Array, where: string): void 
   } catch (error) {
     throw new FormatError(
       'corrupt',
-      `The compressed ${where} cannot be unpacked (${(error as Error).message}).`,
+      `The compressed ${where} cannot be unpacked (${foreign((error as Error).message)}).`,
       where,
     );
   }

@@ -1,6 +1,6 @@
 import { SaxesParser, type SaxesTagPlain } from 'saxes';
 import { FormatError } from './format-error.ts';
-import { quoted } from './wording.ts';
+import { foreign, quoted } from './wording.ts';
 
 export interface XmlNode {
   tag: string;
@@ -41,7 +41,7 @@ export function parseXml(bytes: Uint8Array, open: boolean): XmlNode {
   parser.on('text', (text) => {
     stack[stack.length - 1].text += text;
   });
-  parser.on('error', (error) => fail(error.message.replace(/^\d+:\d+: /, '').replace(/\.$/, '')));
+  parser.on('error', (error) => fail(foreign(error.message.replace(/^\d+:\d+: /, ''))));
   feed(parser, bytes);
   if (!open) close(parser);
   return stack[0].children[0] ?? fail('there is no element');
