@@ -120,16 +120,16 @@ const fileFaults: Case[] = [
     'in.vtp: There is no point 4294967294 to lock: the surface has 25, counted from 0.',
   ],
   [['reduce', 'in.vtp', ...toOut, ...bound, '--lock-points', '25'], 'in.vtp: There is no point 25 to lock'],
-  [['reduce', 'in.vtp', ...toOut, '--levels', '3%,1%'], /in\.vtp: The bound of "position" falls .* level 1 .* level 2/],
+  [['reduce', 'in.vtp', ...toOut, '--levels', '3%,1%'], /in\.vtp: The bound of “position” falls .* level 1 .* level 2/],
   [['reduce', 'in.vtp', ...toOut, '--levels', '3%,3%'], 'in.vtp: The bounds of level 2 are those of level 1'],
-  [['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1e-30'], 'in.vtp: The bound of "pressure"'],
+  [['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1e-30'], 'in.vtp: The bound of “pressure”'],
   [
     ['reduce', 'in.vtp', ...toOut, '-b', '*=1%', '-b', 'position=free', '--limit-to-feature-size'],
-    'in.vtp: Limiting to the feature size needs a bound of "position", which is free.',
+    'in.vtp: Limiting to the feature size needs a bound of “position”, which is free.',
   ],
   [
     ['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1%', '--drop-small'],
-    'in.vtp: Leaving out small parts needs a bound of "position", which is free.',
+    'in.vtp: Leaving out small parts needs a bound of “position”, which is free.',
   ],
   [
     ['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '-b', 'position=free', '--drop-small'],
