@@ -32,7 +32,7 @@ const usageFaults: Case[] = [
   [['shrink'], /no command “shrink”; the commands are inspect, reduce, verify, convert/],
   [['inspect'], 'FILE is missing.'],
   [['inspect', 'in.vtp', 'in.vtp'], '“in.vtp” is one argument too many.'],
-  [['inspect', '--fast', 'in.vtp'], "Unknown option '--fast'."],
+  [['inspect', '--fast', 'in.vtp'], 'Unknown option “--fast”.'],
   [['convert', 'in.vtp'], 'OUT is missing.'],
   [['convert', 'in.vtp', 'out.step'], /out\.step: the ending .* \.ply, \.vtp, \.vtk/],
   [['convert', 'in.vtp', 'out'], /out: the ending .* decides/],
