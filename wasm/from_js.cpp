@@ -46,14 +46,13 @@ Bound bound_from(const std::string& name, const val& bound) {
         }
     }
     throw ShapeError{{Fault::bad_bound,
-                      "The bound of \"" + name + "\" is none of { relative: number }, { absolute: number } and 'free'.",
+                      "The bound of “" + name + "” is none of { relative: number }, { absolute: number } and “free”.",
                       name,
                       {}}};
 }
 
 [[noreturn]] void refuse_option(const char* option, const std::string& given) {
-    throw ShapeError{
-        {Fault::bad_option, "The option " + std::string(option) + " cannot be \"" + given + "\".", {}, {}}};
+    throw ShapeError{{Fault::bad_option, "The option " + std::string(option) + " cannot be “" + given + "”.", {}, {}}};
 }
 
 /// Reads an option that is true or false; left out, it stays as it is.
@@ -164,8 +163,7 @@ val present(const val& part, const char* name) {
     if (!part.isUndefined() && !part.isNull()) {
         return part;
     }
-    throw ShapeError{
-        {Fault::bad_waypoint, "The waypoint has no \"" + std::string(name) + "\" where it should.", {}, {}}};
+    throw ShapeError{{Fault::bad_waypoint, "The waypoint has no “" + std::string(name) + "” where it should.", {}, {}}};
 }
 
 val part_of(const val& whole, const char* name) { return present(whole[name], name); }
