@@ -53,6 +53,6 @@ describe('files that are chosen together', () => {
 
   it('have those named that had no part in it', async () => {
     const { summary } = await readTogether('a.stl', stl, [{ name: 'b.stl', bytes: bytes('') }]);
-    expect(summary).toContain('Not opened with it: “b.stl”.');
+    expect(summary).toContain('Not opened with it: “b.stl”. One surface is opened at a time;');
   });
 });

@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { asBounds, defaultBounds, largestFraction, moveAll, parsePercent } from '../../web/session/bound-setting.ts';
+import { fieldText } from '../../web/session/rounding.ts';
 
 describe('bound settings', () => {
   test('begin at 1 % in space and 3 % in every variable', () => {
@@ -40,21 +41,42 @@ describe('a typed percentage', () => {
     [' 0.5 ', 0.005],
     ['25 %', 0.25],
     ['1e-3', 0.00001],
-    ['1.0049', 0.01],
-    ['1.006', 0.0101],
-  ])('%j is taken', (text, fraction) => {
-    expect(parsePercent(text)).toMatchObject({ value: expect.closeTo(fraction, 12) });
+    ['1.0049', 0.010049],
+    ['0.0123456', 0.000123456],
+    ['0,5', 0.005],
+    ['1,5 %', 0.015],
+    ['0,001', 0.00001],
+  ])('%j is taken, digit by digit', (text, fraction) => {
+    expect(parsePercent(text)).toMatchObject({ value: fraction });
   });
 
   test.each([
     ['', 'needs a number'],
     ['three', '“three” is not a number'],
-    ['0,5', '“0,5” is not a number'],
+    ['1,000', '“1,000” can be read in two ways: write 1000 or 1.000'],
+    ['1,2,3', '“1,2,3” is not a number'],
+    ['1.000,5', '“1.000,5” is not a number'],
     ['-3', 'cannot be negative'],
     ['0', 'cannot be zero'],
     ['5e-324', 'cannot be zero'],
     ['Infinity', 'must be finite'],
   ])('%j is refused with a reason', (text, reason) => {
     expect(parsePercent(text)).toEqual({ fault: expect.stringContaining(reason) });
+  });
+});
+
+describe('a bound in a field', () => {
+  test.each([
+    [0.000968, '0.000968'],
+    [0.0033333333, '0.003333'],
+    [1.2345678e-10, '1.235e-10'],
+    [123456789.123, '123500000'],
+    [12345678912345, '1.235e13'],
+    [0.00001234567, '1.235e-5'],
+    [3, '3'],
+  ])('%d reads %s, which has room', (value, text) => {
+    expect(fieldText(value)).toBe(text);
+    expect(text.length).toBeLessThanOrEqual(9);
+    expect(Math.abs(Number(text) / value - 1)).toBeLessThan(1e-3);
   });
 });

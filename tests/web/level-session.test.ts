@@ -144,10 +144,12 @@ test('coarser bounds stay free where they are free', () => {
 });
 
 test('levels are those of no provisional answer: they go with it, and come with what takes its place', () => {
-  const reduced = { result: { mesh }, bounds: {} } as unknown as Reduced;
+  const bounds = { position: { fraction: 0.01, free: false } };
+  const reduced = { result: { mesh }, bounds } as unknown as Reduced;
   const session = Object.assign(new EventTarget(), {
     state: { surface: { mesh }, reduced, provisional: null as Reduced | null },
     report: vi.fn(),
+    forget: vi.fn(),
   });
   const made = vi.fn(() => new Promise<Levels>(() => {}));
   const levels = new LevelSession(session as unknown as Session, made);
@@ -162,4 +164,15 @@ test('levels are those of no provisional answer: they go with it, and come with 
   expect(levels.state).toMatchObject({ nested: null, progress: null });
   become({ provisional: null });
   expect(levels.state.progress).toBe(0);
+});
+
+test('where no variable has a bound there are no levels, and that is said instead of a fault', async () => {
+  const { session, levels } = await setUp();
+  session.setBounds({ '*': 'free' });
+  await vi.waitFor(() => expect(session.state.progress).toBeNull());
+  levels.setCount(3);
+  expect(levels.state).toMatchObject({ unbounded: true, nested: null, progress: null });
+  expect(session.state.notices).toEqual([]);
+  session.setBounds({ position: { relative: 0.01 } });
+  await vi.waitFor(() => expect(levels.state).toMatchObject({ unbounded: false, progress: 0 }));
 });

@@ -4,6 +4,7 @@ import { type Keeping, nothingKept } from '../../web/session/keeping.ts';
 import type { OpenedFile } from '../../web/session/read.ts';
 import type { Services } from '../../web/session/services.ts';
 import { Session } from '../../web/session/session.ts';
+import { standingOf } from '../../web/session/session-state.ts';
 
 function meshWith(...names: string[]): Mesh {
   const variables = names.map((name) => ({ name, components: 1, values: new Float32Array(3) }));
@@ -399,4 +400,115 @@ test('vertices that a reader wants to stay are locked', async () => {
   const { session, runs } = setUp({ read: async () => ({ ...fileWith(meshWith('pressure')), locked }) });
   await session.openFile(file('touching.glb'));
   expect(runs[0].options.locked).toBe(locked);
+});
+
+function errorsOf({ state }: Session): string[] {
+  return state.notices.filter(({ kind }) => kind === 'error').map(({ text }) => text);
+}
+
+describe('what is shown and what is asked for', () => {
+  test('a refused bound leaves the result before, which is said to be none of what is asked for', async () => {
+    const { session, runs } = setUp();
+    await session.openAddress('a.ply');
+    runs[0].finish();
+    await vi.waitFor(() => expect(session.state.reduced).not.toBeNull());
+    expect(standingOf(session.state)).toBe('asked');
+    session.setBound('pressure', { fraction: 1e-9, free: false });
+    expect(standingOf(session.state)).toBe('running');
+    runs[1].fail(new Error('It is too fine.'));
+    await vi.waitFor(() => expect(session.state.progress).toBeNull());
+    for (const { id } of session.state.notices) session.dismiss(id);
+    expect(standingOf(session.state)).toBe('refused');
+    expect(session.state.refusal).toBe('It is too fine.');
+    expect(session.state.reduced?.bounds).not.toBe(session.state.bounds);
+    session.setBound('pressure', { fraction: 0.05, free: false });
+    expect(session.state.refusal).toBeNull();
+    runs[2].finish();
+    await vi.waitFor(() => expect(standingOf(session.state)).toBe('asked'));
+  });
+
+  test('a cancelled one likewise', async () => {
+    const { session, runs } = setUp();
+    await session.openAddress('a.ply');
+    runs[0].finish();
+    await vi.waitFor(() => expect(session.state.progress).toBeNull());
+    session.setBound('pressure', { fraction: 0.5, free: false });
+    session.cancel();
+    expect(standingOf(session.state)).toBe('cancelled');
+    session.undo();
+    expect(standingOf(session.state)).not.toBe('cancelled');
+  });
+
+  test('each try of the same is one message, gone when its cause is gone', async () => {
+    const { session, runs } = setUp();
+    await session.openAddress('a.ply');
+    runs[0].finish();
+    await vi.waitFor(() => expect(session.state.progress).toBeNull());
+    for (const fraction of [1e-9, 1e-10, 1e-11]) {
+      session.setBound('pressure', { fraction, free: false });
+      runs[runs.length - 1].fail(new Error(`It is too fine: ${fraction}.`));
+      await vi.waitFor(() => expect(session.state.progress).toBeNull());
+    }
+    expect(errorsOf(session)).toEqual(['It is too fine: 1e-11.']);
+    for (let time = 0; time < 3; time++) session.report('It cannot be copied.');
+    expect(errorsOf(session)).toHaveLength(2);
+    session.setBound('pressure', { fraction: 0.1, free: false });
+    expect(errorsOf(session)).toEqual(['It cannot be copied.']);
+  });
+});
+
+describe('bounds that are no bounds of the surface', () => {
+  test('are refused: nothing is reduced, and the surface is there', async () => {
+    const { session, runs } = setUp();
+    session.wantBounds({ posit: { relative: 0.01 } });
+    await session.openAddress('a.ply');
+    expect(runs).toHaveLength(0);
+    expect(session.state.surface?.name).toBe('a.ply');
+    expect(session.state).toMatchObject({ progress: null, reduced: null });
+    expect(session.state.refusal).toContain('“posit”');
+    session.reduceAgain();
+    expect(runs).toHaveLength(0);
+    session.wantBounds({ position: { relative: 0.01 } });
+    expect(runs).toHaveLength(1);
+    expect(session.state.refusal).toBeNull();
+    expect(errorsOf(session)).toEqual([]);
+  });
+
+  test('of one surface may be those of the next', async () => {
+    const read = vi.fn(async () => fileWith(meshWith('pressure')));
+    const { session, runs } = setUp({ read });
+    session.wantBounds({ heat: { relative: 0.01 }, position: { relative: 0.01 } });
+    await session.openAddress('a.ply');
+    expect(runs).toHaveLength(0);
+    read.mockResolvedValue(fileWith(meshWith('heat')));
+    await session.openAddress('b.ply');
+    expect(runs).toHaveLength(1);
+    expect(session.state.refusal).toBeNull();
+    expect(errorsOf(session)).toEqual([]);
+  });
+
+  test('make room for those that the user chooses', async () => {
+    const { session, runs } = setUp();
+    session.setFault('bounds', new Error('“one” is not a number.'));
+    await session.openAddress('a.ply');
+    expect(runs).toHaveLength(0);
+    session.setBound('pressure', { fraction: 0.1, free: false });
+    expect(runs).toHaveLength(1);
+    expect(errorsOf(session)).toEqual([]);
+  });
+
+  test('stop what runs, and leave what was reduced before', async () => {
+    const { session, runs } = setUp();
+    await session.openAddress('a.ply');
+    runs[0].finish();
+    await vi.waitFor(() => expect(session.state.progress).toBeNull());
+    const { reduced } = session.state;
+    session.setFault('keeping', new Error('lock-points cannot be “x”.'));
+    session.setMethod({ ...session.state.method, refusePiercing: true });
+    expect(runs).toHaveLength(1);
+    expect(session.state).toMatchObject({ reduced, progress: null });
+    expect(standingOf(session.state)).toBe('refused');
+    session.setFault('keeping', null);
+    expect(runs).toHaveLength(2);
+  });
 });

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { reduce } from '../../wasm/index.ts';
 import type { MappedReduction, VertexErrors } from '../../wasm/types.ts';
-import { errorHistograms, histogramBins, quantile } from '../../web/probe/error-histogram.ts';
+import { type ErrorHistogram, errorHistograms, histogramBins } from '../../web/probe/error-histogram.ts';
 import { probePair } from '../../web/probe/probe.ts';
 import { worstPlace } from '../../web/probe/worst-place.ts';
 import { bumpyPlate } from '../wasm/bumpy-plate.ts';
@@ -24,7 +24,7 @@ test('at the worst place of each variable its error is the one reported', async 
 
 test('the histogram tells what share of the area has which share of the bound', async () => {
   const tracked = await reduce(mesh, { bounds });
-  const all = errorHistograms(mesh, tracked)[1] as Float64Array;
+  const all = (errorHistograms(mesh, tracked)[1] as ErrorHistogram).parts;
   expect(all).toHaveLength(histogramBins);
   expect(all.reduce((sum, next) => sum + next)).toBeCloseTo(1, 12);
   // Counted by hand: vertices without an error, by the area around them.
@@ -35,7 +35,7 @@ test('the histogram tells what share of the area has which share of the bound', 
   );
 
   const propagated = await reduce(mesh, { bounds, errors: 'propagated' });
-  const limits = errorHistograms(mesh, propagated)[1] as Float64Array;
+  const limits = (errorHistograms(mesh, propagated)[1] as ErrorHistogram).parts;
   expect(limits.reduce((sum, next) => sum + next)).toBeCloseTo(1, 12);
 
   const free = await reduce(mesh, { bounds: { position: { relative: 0.02 } } });
@@ -50,16 +50,31 @@ test('a surface of equal triangles, half of it in error, has half of its area th
     vertexErrors: [{ error }],
     report: { variables: [{ bound: 1 }] },
   } as unknown as Parameters<typeof errorHistograms>[1];
-  const shares = errorHistograms({ position, triangles, variables: [] }, reduction)[0] as Float64Array;
+  const {
+    parts: shares,
+    half,
+    most,
+  } = errorHistograms({ position, triangles, variables: [] }, reduction)[0] as ErrorHistogram;
   expect(shares[0]).toBeCloseTo(1 / 2, 12);
   expect(shares[histogramBins / 2]).toBeCloseTo(1 / 3, 12);
   expect(shares[histogramBins - 1]).toBeCloseTo(1 / 6, 12);
-  expect(quantile(shares, 0.4)).toBeCloseTo(1 / histogramBins, 12);
-  expect(quantile(shares, 0.6)).toBeCloseTo(1 / 2 + 1 / histogramBins, 12);
-  expect(quantile(shares, 1)).toBe(1);
+  expect([half, most]).toEqual([0, 1]);
   // Where the bound is twice as large, the share is half as large.
   const multiplied = Object.assign({}, reduction, { multiplier: Float64Array.of(1, 1, 1, 2, 2, 2) });
-  const halves = errorHistograms({ position, triangles, variables: [] }, multiplied)[0] as Float64Array;
+  const { parts: halves } = errorHistograms({ position, triangles, variables: [] }, multiplied)[0] as ErrorHistogram;
   expect(halves[histogramBins / 4]).toBeCloseTo(1 / 3, 12);
   expect(halves[histogramBins / 2]).toBeCloseTo(1 / 6, 12);
+});
+
+test('an error that is none uses nothing of its bound, over half of the area and over nearly all of it', () => {
+  const position = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0]);
+  const triangles = new Uint32Array([0, 1, 2, 3, 4, 5]);
+  const of = (...errors: number[]) => {
+    const reduction = { vertexErrors: [{ error: Float32Array.from(errors) }], report: { variables: [{ bound: 1 }] } };
+    const given = reduction as unknown as Parameters<typeof errorHistograms>[1];
+    return errorHistograms({ position, triangles, variables: [] }, given)[0] as ErrorHistogram;
+  };
+  expect(of(0, 0, 0, 0, 0, 0)).toMatchObject({ half: 0, most: 0 });
+  expect(of(0, 0, 0, 0, 0, 0.25)).toMatchObject({ half: 0, most: 0.25 });
+  expect(of(0.125, 0, 0, 0.125, 0.25, 0.25)).toMatchObject({ half: 0.125, most: 0.25 });
 });

@@ -37,6 +37,11 @@ export interface Meaning {
   free: boolean;
 }
 
+/** Whether one legend can stand for both. */
+export function meanTheSame(one: Meaning, other: Meaning): boolean {
+  return JSON.stringify(one) === JSON.stringify(other);
+}
+
 /** The colours of one surface and their meaning. */
 export interface Colouring {
   /** The place in the map of every triangle corner, 0…1. */

@@ -7,6 +7,8 @@ import { tickText } from './number-text.ts';
 /** Measures of a legend in a picture, in CSS pixels. */
 const [barWidth, barHeight, room] = [232, 10, 10];
 const lineHeight = 16;
+/** How wide a legend is, its room included. */
+export const legendWidth = barWidth + 2 * room;
 const tickCount = 4;
 
 /** Draws what the colours of a surface mean, in a context scaled to CSS pixels; `left` and `bottom` are its corner. */

@@ -135,7 +135,8 @@ export class LevelsPanel extends LitElement {
 
   /** What is shown, in words. */
   #now(): string {
-    const { nested, position } = this.levels;
+    const { nested, position, unbounded } = this.levels;
+    if (unbounded) return english.levels.unbounded;
     if (!nested) return this.levels.count > 0 ? '' : english.levels.what;
     const from = Math.floor(position);
     if (position === from && from === 0) return english.levels.theOriginal;

@@ -9,7 +9,7 @@ import { LevelSession, mostLevels } from '../session/level-session.ts';
 import { Probing } from '../session/probing.ts';
 import { readInWorker } from '../session/read.ts';
 import { Session } from '../session/session.ts';
-import { answerOf, type Reduced, type SessionState } from '../session/session-state.ts';
+import { answerOf, type Reduced, type SessionState, type Standing, standingOf } from '../session/session-state.ts';
 import { readOptionsFrom } from './read-options.ts';
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
@@ -19,11 +19,13 @@ import './levels-panel.ts';
 import { LevelMotion } from './level-motion.ts';
 import { LevelView } from './level-view.ts';
 import './notices.ts';
+import { LastingStanding } from './lasting-standing.ts';
 import { percentText } from './number-text.ts';
 import { outcomeOf } from './outcome.ts';
 import { stepOf } from './progress.ts';
 import { isMeasured } from './promise-words.ts';
 import './result-bar.ts';
+import { resultLead } from './result-lead.ts';
 import { Sight } from './sight.ts';
 import type { Shown, Stage } from './stage.ts';
 import type { Pointed } from './stage-probe.ts';
@@ -139,7 +141,10 @@ export class MeshboundViewer extends ViewerProperties {
   #firstCamera: string | null = null;
   /** The level that was asked for, until there are so many. */
   #firstLevel: number | null = null;
+  /** There are levels only because the view needs them. */
+  #levelsOfView = false;
   #sight = new Sight();
+  #standing = new LastingStanding(this, this.session);
 
   constructor() {
     super();
@@ -164,7 +169,7 @@ export class MeshboundViewer extends ViewerProperties {
     try {
       this.session.wantBounds(text === null ? null : readBounds(text));
     } catch (error) {
-      this.session.report(error, { lasting: true });
+      this.session.setFault('bounds', error);
     }
   }
 
@@ -283,6 +288,16 @@ export class MeshboundViewer extends ViewerProperties {
     return this.levels.shown ?? answerOf(this.session.state);
   }
 
+  /** How that stands to what is asked for. @internal */
+  get standing(): Standing {
+    return this.#standing.value;
+  }
+
+  /** What has to be said before the sentence about it. @internal */
+  get resultLead(): string {
+    return resultLead(this.standing, this.levels.state);
+  }
+
   /** Opens a file of the user's, and those chosen together with it: variables in CSV, what a glTF file refers to. */
   open(file: File, ...beside: File[]): Promise<void> {
     return this.session.openFile(file, beside);
@@ -295,6 +310,7 @@ export class MeshboundViewer extends ViewerProperties {
   async reduce(): Promise<Report> {
     if (!this.session.state.surface) throw new Error(english.faults.noSurface);
     this.session.reduceAgain();
+    if (this.session.state.refusal !== null) throw new Error(this.session.state.refusal);
     const { result } = await outcomeOf(this.session);
     return result.report;
   }
@@ -364,16 +380,26 @@ export class MeshboundViewer extends ViewerProperties {
     try {
       const { name, content, losses } = await savedFile(surface, reduced, this.levels.state.nested, kind);
       download(name, content);
-      if (losses.length > 0) this.session.tell(`${name}: ${losses.join(' ')}`);
+      this.#tellSaved(name, reduced, losses);
     } catch (error) {
-      this.session.report(error);
+      this.session.report(error, { about: 'saved' });
     }
   }
 
-  /** Rejects where what is shown is provisional and nothing else takes its place. */
+  /** What a file lacks, or that it is not what is asked for. */
+  #tellSaved(name: string, { bounds }: Reduced, losses: readonly string[]): void {
+    const isEarlier = standingOf(this.session.state) !== 'asked';
+    const earlier = isEarlier ? [english.save.earlier(name, boundsText(asBounds(bounds)))] : [];
+    const lost = losses.length > 0 ? [`${name}: ${losses.join(' ')}`] : [];
+    if (isEarlier || losses.length > 0)
+      this.session.tell([...earlier, ...lost].join(' '), { about: 'saved', passing: !isEarlier });
+    else this.session.forget('saved');
+  }
+
+  /** Waits for the answer to what is asked for. Rejects where it does not come. */
   async #settled(): Promise<void> {
-    if (!this.session.state.provisional) return;
-    this.session.tell(english.progress.savedLater);
+    if (this.session.state.progress === null) return;
+    this.session.tell(english.progress.savedLater, { about: 'saved' });
     await outcomeOf(this.session);
   }
 
@@ -396,23 +422,35 @@ export class MeshboundViewer extends ViewerProperties {
 
   override willUpdate(changed: PropertyValues<this>): void {
     if (methodAttributes.some((name) => changed.has(name))) this.session.setMethod(methodFrom(this));
-    if (changed.has('view') && this.view === 'morph' && this.levelCount === 0) this.levelCount = levelsToMorph;
+    if (changed.has('view')) this.#bringLevels();
     if (changed.has('src') && this.src) this.#load();
     // After that, so that what is about to be replaced is not reduced anew.
     if (keepingAttributes.some((name) => changed.has(name))) this.#keep();
   }
 
+  /** A morph needs levels: where there are none they come with the view, and go with it. */
+  #bringLevels(): void {
+    if (this.view === 'morph' && this.levelCount === 0) {
+      this.#levelsOfView = true;
+      this.levelCount = levelsToMorph;
+    } else if (this.view !== 'morph' && this.#levelsOfView) {
+      this.#levelsOfView = false;
+      if (this.levelCount === levelsToMorph) this.levelCount = 0;
+    }
+  }
+
   #keep(): void {
     try {
       this.session.setKeeping(keepingFrom(this));
+      this.session.setFault('keeping', null);
     } catch (error) {
-      this.session.report(error, { lasting: true });
+      this.session.setFault('keeping', error);
     }
   }
 
   override render() {
     const { notices } = this.session.state;
-    return html`
+    return html`<div class="width"></div><div class="frame">
       ${this.controls ? this.#controls() : nothing}
       <div class="stage" part="stage">
         ${this.#surfaces()}
@@ -426,7 +464,7 @@ export class MeshboundViewer extends ViewerProperties {
       </div>
       ${this.controls && this.levelCount > 0 ? this.#levels() : nothing}
       ${this.controls ? this.#result() : nothing}
-    `;
+    </div>`;
   }
 
   #surfaces() {
@@ -443,6 +481,7 @@ export class MeshboundViewer extends ViewerProperties {
       .pixels=${this.levels.state.pixels}
       @level-wanted=${({ detail }: CustomEvent<number>) => this.#motion.towards(detail)}
       .reducing=${progress !== null}
+      .standing=${this.standing}
       .settings=${this.settings}
       .probe=${this.#probing.state}
       @stage-shown=${this.#stageShown}
@@ -509,13 +548,15 @@ export class MeshboundViewer extends ViewerProperties {
   }
 
   #result() {
-    const { opening, progress, cancelled } = this.session.state;
+    const { opening, progress, cancelled, refusal } = this.session.state;
     const reduction = this.shown?.result;
     return html`<meshbound-result-bar
       exportparts="sentence, numbers"
       .report=${reduction?.report ?? null}
       .measured=${!reduction || isMeasured(reduction)}
       ?multiplied=${this.session.state.reduced?.result.multiplier !== undefined}
+      .lead=${this.resultLead}
+      .refusal=${refusal}
       .opening=${opening}
       .progress=${progress}
       .cancelled=${cancelled}

@@ -37,6 +37,11 @@ export function withUnit(text: string, unit: string | undefined): string {
   return unit && unit !== '1' ? `${text}\u00a0${unit}`.trimStart() : text;
 }
 
+/** A fraction in percent: 100 × 0.07 is 7.000000000000001 in the machine's numbers. */
+export function percentOf(fraction: number): number {
+  return Number((100 * fraction).toPrecision(15));
+}
+
 /** A fraction as a percentage without its sign, rounded to three digits: "2.97". */
 export function percentNumber(fraction: number): string {
   return Number((100 * fraction).toPrecision(3)).toString();
@@ -78,9 +83,14 @@ export function usedShareText(share: number): string {
   return isRounding(share) ? `\u2248\u00a0${percentText(0)}` : lowerPercentText(share);
 }
 
+/** The share that an area uses of a bound at most: "12.4 %"; reads 0 only where it is none. */
+export function upperShareText(share: number): string {
+  return isRounding(share) ? `\u2248\u00a0${percentText(0)}` : upperPercentText(share);
+}
+
 /** The error at a place in its unit, given what share of its bound that is (null where it has none): "0.31". */
 export function placeErrorText(error: number, share: number | null): string {
-  return share !== null && isRounding(share) ? '\u2248\u00a00' : valueText(error);
+  return share !== null && isRounding(share) ? '\u2248\u00a00' : upperText(error);
 }
 
 /** Whether such a share of a bound is nothing but rounding. */

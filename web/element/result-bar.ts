@@ -21,6 +21,8 @@ export class ResultBar extends LitElement {
     report: { attribute: false },
     measured: { type: Boolean },
     multiplied: { type: Boolean },
+    lead: {},
+    refusal: { attribute: false },
     opening: { attribute: false },
     progress: { attribute: false },
     cancelled: { type: Boolean },
@@ -102,6 +104,10 @@ export class ResultBar extends LitElement {
   declare measured: boolean;
   /** Whether the bounds were multiplied by what differs over the surface. */
   declare multiplied: boolean;
+  /** What has to be said before the sentence: that the result is not the answer to what is asked for. */
+  declare lead: string;
+  /** Why what is asked for is not reduced; null where nothing is wrong. */
+  declare refusal: string | null;
   declare opening: Opening | null;
   /** Of the running reduction, 0…1; null where none runs. */
   declare progress: number | null;
@@ -119,6 +125,8 @@ export class ResultBar extends LitElement {
     this.report = null;
     this.measured = true;
     this.multiplied = false;
+    this.lead = '';
+    this.refusal = null;
     this.opening = null;
     this.progress = null;
     this.cancelled = false;
@@ -130,7 +138,7 @@ export class ResultBar extends LitElement {
     return html`
       <div class="said ${this.whole ? 'whole' : ''}">
         <p part="sentence" class="sentence ${this.progress === null ? '' : 'passing'}">
-          ${this.report ? this.#sentence(this.report) : ''}
+          ${this.report ? this.#sentence(this.report) : this.#notReduced()}
         </p>
         <span class="unseen" role="status">${this.#spoken()}</span>
         ${this.cut || this.whole ? this.#moreButton() : nothing}
@@ -166,7 +174,12 @@ export class ResultBar extends LitElement {
 
   #sentence(report: Report): string {
     const sentence = promiseSentence(report, this.measured, this.multiplied);
-    return isProvisional(report) ? `${english.sentence.provisional} ${sentence}` : sentence;
+    const provisional = isProvisional(report) ? english.sentence.provisional : '';
+    return [this.lead, provisional, sentence].filter(Boolean).join(' ');
+  }
+
+  #notReduced(): string {
+    return this.refusal === null ? '' : english.sentence.notReduced(this.refusal);
   }
 
   /** Not while a reduction runs: what is on the way to the answer would be read out again and again. */

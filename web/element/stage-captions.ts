@@ -1,6 +1,7 @@
 import { html, nothing } from 'lit';
 import type { Multiplied } from '../probe/multiplied.ts';
 import type { OpenSurface } from '../session/open-surface.ts';
+import type { Standing } from '../session/session-state.ts';
 import { english } from '../words/english.ts';
 import type { LevelStep } from './level-view.ts';
 import { countText } from './number-text.ts';
@@ -18,14 +19,21 @@ export function originalCaption(surface: OpenSurface | null) {
  *
  * @param result null where there is none yet
  * @param step what is shown of levels of detail; null where there are none
+ * @param standing how the result stands to what is asked for
  */
-export function reducedCaption(result: Multiplied | null, step: LevelStep | null, isReducing: boolean) {
+export function reducedCaption(
+  result: Multiplied | null,
+  step: LevelStep | null,
+  isReducing: boolean,
+  standing: Standing,
+) {
   const { stage } = english;
   if (!result) return html`<span class="soft">${isReducing ? stage.reducing : stage.notReduced}</span>`;
   if (step && 'morph' in step) return html`${stage.onTheWay} <b>${step.from + 1}</b>`;
   if (step?.level === 0) return html`${stage.levelZero}`;
   const { report } = step?.result ?? result;
   const count = report.triangles.after;
-  const mark = isProvisional(report) ? html`, <i>${stage.provisional}</i>` : nothing;
+  const word = isProvisional(report) ? stage.provisional : standing === 'asked' ? null : stage.earlier;
+  const mark = word ? html`, <i>${word}</i>` : nothing;
   return html`${step ? stage.level(step.level) : stage.reduced} <b>${countText(count)}</b> ${english.triangles(count)}${mark}`;
 }

@@ -44,12 +44,12 @@ export const stageStyle = css`
   .panes.wipe #reduced {
     align-items: end;
   }
-  /* One over the other they have one legend: it is the same for both, or that of the errors of the upper one. */
   .panes.wipe #reduced .caption {
     align-self: end;
   }
-  .panes.wipe #reduced meshbound-legend {
-    visibility: hidden;
+  /* One over the other, two legends share the width. */
+  .panes.wipe meshbound-legend {
+    max-width: calc(50% - 4px);
   }
   .divider {
     position: absolute;

@@ -5,6 +5,7 @@ import type { Side } from '../probe/probe.ts';
 import { type Keeping, nothingKept } from '../session/keeping.ts';
 import type { OpenSurface } from '../session/open-surface.ts';
 import { nothingProbed, type ProbeState } from '../session/probing.ts';
+import type { Standing } from '../session/session-state.ts';
 import { type Frame, frameOf } from '../viewer/frame.ts';
 import { chooseLevel } from '../viewer/level-choice.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
@@ -12,9 +13,10 @@ import { parseClip } from '../viewer/look.ts';
 import { carriedOver, type MorphCorners } from '../viewer/morph-corners.ts';
 import type { MorphSource } from '../viewer/prepare-morph.ts';
 import { Viewer } from '../viewer/viewer.ts';
-import type { Colouring, Meaning } from './colouring.ts';
+import { type Colouring, type Meaning, meanTheSame } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
 import './legend.ts';
+import { legendWidth } from './legend-picture.ts';
 import type { LevelStep, LevelView, MorphStep } from './level-view.ts';
 import { isProvisional } from './promise-words.ts';
 import './probe-layer.ts';
@@ -57,6 +59,7 @@ export class Stage extends LitElement {
     pixels: { attribute: false },
     settings: { attribute: false },
     reducing: { type: Boolean },
+    standing: { attribute: false },
     probe: { attribute: false },
     meanings: { state: true },
   };
@@ -74,6 +77,8 @@ export class Stage extends LitElement {
   declare pixels: number | null;
   declare settings: ViewSettings;
   declare reducing: boolean;
+  /** How the result stands to what is asked for. */
+  declare standing: Standing;
   /** What stands at the place that is pointed at. */
   declare probe: ProbeState;
   /** What the colours of each side mean. */
@@ -109,6 +114,7 @@ export class Stage extends LitElement {
     this.pixels = null;
     this.settings = firstView;
     this.reducing = false;
+    this.standing = 'asked';
     this.probe = nothingProbed;
     this.meanings = [null, null];
   }
@@ -145,7 +151,7 @@ export class Stage extends LitElement {
     >
       <div class="caption" part="caption">${this.#caption(side)}</div>
       ${
-        this.meanings[side]
+        this.meanings[side] && !(side === reduced && this.#sharesLegend)
           ? html`<meshbound-legend
               part="legend"
               exportparts="title: legend-title, bar: legend-bar, ticks: legend-ticks"
@@ -156,7 +162,8 @@ export class Stage extends LitElement {
   }
 
   #caption(side: number) {
-    return side === original ? originalCaption(this.surface) : reducedCaption(this.result, this.#step(), this.reducing);
+    if (side === original) return originalCaption(this.surface);
+    return reducedCaption(this.result, this.#step(), this.reducing, this.standing);
   }
 
   override firstUpdated(): void {
@@ -253,11 +260,18 @@ export class Stage extends LitElement {
     return sides.flatMap((side, index) => {
       const meaning = this.meanings[index];
       const pane = this.renderRoot.querySelector(`#${side}`)?.getBoundingClientRect();
-      // One over the other they have one legend.
-      if (!meaning || !pane?.width || (this.settings.view === 'wipe' && index === reduced)) return [];
-      const [left, bottom] = [pane.left - stage.left, pane.bottom - stage.top].map(Math.round);
-      return [{ meaning, left, bottom }];
+      if (!meaning || !pane?.width || (index === reduced && this.#sharesLegend)) return [];
+      // One over the other, that of the reduced surface stands on the right, as on the stage.
+      const isRight = this.settings.view === 'wipe' && index === reduced;
+      const left = (isRight ? pane.right - legendWidth : pane.left) - stage.left;
+      return [{ meaning, left: Math.round(left), bottom: Math.round(pane.bottom - stage.top) }];
     });
+  }
+
+  /** One over the other, surfaces whose colours mean the same have one legend. */
+  get #sharesLegend(): boolean {
+    const [one, other] = this.meanings;
+    return this.settings.view === 'wipe' && one !== null && other !== null && meanTheSame(one, other);
   }
 
   #tellCamera(): void {

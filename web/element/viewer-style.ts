@@ -2,12 +2,24 @@ import { css } from 'lit';
 
 /** How the parts of a viewer lie around its stage. */
 export const viewerStyle = css`
+  /* Whatever display the page around gives the host, its parts lie in a frame of their own. */
   :host {
-    display: flex;
-    flex-direction: column;
+    display: block;
+    position: relative;
     min-height: 120px;
     aspect-ratio: 2;
     background: var(--panel);
+  }
+  .frame {
+    position: absolute;
+    inset: 0;
+    display: flex;
+    flex-direction: column;
+  }
+  /* How wide it is where the page leaves that to the content. */
+  .width {
+    width: 640px;
+    max-width: 100%;
   }
   /* High enough to stack the surfaces: side by side, captions and legends would cover them. */
   @media (max-width: 600px) {

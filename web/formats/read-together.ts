@@ -49,5 +49,9 @@ async function withTable(surface: SurfaceFile, { name, bytes }: NamedFile): Prom
 }
 
 function unusedNotes(files: NamedFile[]): string[] {
-  return files.length > 0 ? [`Not opened with it: ${listed(files.map(({ name }) => name))}.`] : [];
+  if (files.length === 0) return [];
+  const names = listed(files.map(({ name }) => name));
+  return [
+    `Not opened with it: ${names}. One surface is opened at a time; what can be opened with it are CSV files that hold variables of its points, and files that it refers to.`,
+  ];
 }

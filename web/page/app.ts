@@ -10,7 +10,7 @@ import { surfaceAmong } from '../formats/surface-among.ts';
 import { messageOf } from '../session/failure.ts';
 import { type Keeping, nothingKept } from '../session/keeping.ts';
 import type { Method } from '../session/method.ts';
-import { answerOf, type Reduced } from '../session/session-state.ts';
+import type { Reduced } from '../session/session-state.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import type { BoundChange } from './bounds-panel.ts';
 import './bounds-panel.ts';
@@ -177,7 +177,7 @@ export class App extends LitElement {
 
   /** The result at hand, whether it is provisional or not. */
   get #result(): Reduced['result'] | null {
-    return answerOf(this.viewer.session.state)?.result ?? null;
+    return this.viewer.shown?.result ?? null;
   }
 
   get #isMeasured(): boolean {
@@ -187,7 +187,9 @@ export class App extends LitElement {
   #boundsPanel() {
     const { session } = this.viewer;
     const { surface, bounds, canUndo, canRedo, method, keeping, reduced } = session.state;
-    const result = this.#result;
+    const { shown, standing } = this.viewer;
+    const result = shown?.result ?? null;
+    const isOfOthers = shown !== null && (standing !== 'asked' || this.viewer.levels.shown !== null);
     return html`<div class="bounds" role="region" aria-label=${english.bounds.title}>
       <meshbound-bounds-panel
         .surface=${surface}
@@ -196,6 +198,7 @@ export class App extends LitElement {
         .keeping=${keeping}
         .pinned=${this.#pinned}
         .report=${result?.report ?? null}
+        .shownBounds=${isOfOthers ? shown.bounds : null}
         .unmetBoxes=${reduced?.result.report.unmetBoxes ?? []}
         .reduction=${result}
         .measured=${this.#isMeasured}
@@ -228,12 +231,14 @@ export class App extends LitElement {
 
   #resultBar() {
     const { session, shown } = this.viewer;
-    const { opening, progress, cancelled } = session.state;
+    const { opening, progress, cancelled, refusal } = session.state;
     const result = this.#result;
     return html`<meshbound-result-bar
       role="contentinfo"
       .report=${shown?.result.report ?? null}
       .measured=${this.#isMeasured}
+      .lead=${this.viewer.resultLead}
+      .refusal=${refusal}
       ?multiplied=${result?.multiplier !== undefined}
       .opening=${opening}
       .progress=${progress}
@@ -254,7 +259,10 @@ export class App extends LitElement {
       { ...pageEnglish.page.picture, take: () => this.#savePicture(true) },
       { ...pageEnglish.page.barePicture, take: () => this.#savePicture(false) },
     ];
-    return html`<meshbound-menu label=${pageEnglish.page.save} ?disabled=${!hasResult} .items=${items}></meshbound-menu>`;
+    const { standing } = this.viewer;
+    const isEarlier = standing === 'refused' || standing === 'cancelled';
+    const label = isEarlier ? pageEnglish.page.saveEarlier : pageEnglish.page.save;
+    return html`<meshbound-menu label=${label} ?disabled=${!hasResult} .items=${items}></meshbound-menu>`;
   }
 
   async #save(kind: SavedKind): Promise<void> {
@@ -270,13 +278,14 @@ export class App extends LitElement {
       const { surface } = this.viewer.session.state;
       download(savedFileName(surface?.name ?? '', 'picture', 'png'), await this.viewer.toBlob({ legends }));
     } catch (error) {
-      this.viewer.session.report(error);
+      this.viewer.session.report(error, { about: 'saved' });
     }
   }
 
   #shareMenu() {
-    const items = [
-      { ...pageEnglish.page.copyLink, take: this.#copyLink },
+    const link = this.#link.address === null ? pageEnglish.page.noLink : pageEnglish.page.copyLink;
+    const items: MenuItem[] = [
+      { ...link, disabled: this.#link.address === null, take: this.#copyLink },
       { ...pageEnglish.page.copyEmbed, take: () => this.#copy(this.#link.snippet) },
       { ...pageEnglish.page.saveState, take: this.#saveState },
       { ...pageEnglish.page.loadState, take: this.#browseState },
@@ -328,9 +337,7 @@ export class App extends LitElement {
 
   #copyLink = (): Promise<string | undefined> => {
     const { address } = this.#link;
-    if (address) return this.#copy(address);
-    this.viewer.session.report(english.faults.linkToFile);
-    return Promise.resolve(undefined);
+    return address ? this.#copy(address) : Promise.resolve(undefined);
   };
 
   async #copy(text: string): Promise<string | undefined> {
@@ -338,7 +345,7 @@ export class App extends LitElement {
       await navigator.clipboard.writeText(text);
       return pageEnglish.page.copied;
     } catch {
-      this.viewer.session.report(english.faults.cannotCopy(text));
+      this.viewer.session.report(english.faults.cannotCopy(text), { about: 'copied' });
       return undefined;
     }
   }
@@ -356,9 +363,10 @@ export class App extends LitElement {
   async #openState(file: File): Promise<void> {
     try {
       this.viewer.state = stateFromJson(await file.text());
+      this.viewer.session.forget('state');
       this.#changed();
     } catch (error) {
-      this.viewer.session.report(`${file.name}: ${messageOf(error)}`);
+      this.viewer.session.report(`${file.name}: ${messageOf(error)}`, { about: 'state' });
     }
   }
 

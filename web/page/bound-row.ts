@@ -3,8 +3,9 @@ import { live } from 'lit/directives/live.js';
 import type { VariableExtent, VariableReport } from '../../wasm/index.ts';
 import { settle } from '../element/bound-slider.ts';
 import { controlsStyle } from '../element/controls-style.ts';
-import { percentNumber, percentText, upperText, withUnit } from '../element/number-text.ts';
+import { percentOf, percentText, upperText, withUnit } from '../element/number-text.ts';
 import { type BoundSetting, inUnit, parseAmount, parsePercent, tidy, wholeOf } from '../session/bound-setting.ts';
+import { fieldText } from '../session/rounding.ts';
 import './number-field.ts';
 import { pageEnglish } from '../words/page-english.ts';
 
@@ -20,6 +21,7 @@ export class BoundRow extends LitElement {
     unit: {},
     setting: { attribute: false },
     reached: { attribute: false },
+    shownWith: { attribute: false },
     measured: { type: Boolean },
     multiplied: { type: Boolean },
   };
@@ -81,6 +83,8 @@ export class BoundRow extends LitElement {
   declare setting: BoundSetting;
   /** What the last result reached; null while there is none. */
   declare reached: VariableReport | null;
+  /** The bound that the result shown was made with, where that is another one; null where it is this one. */
+  declare shownWith: BoundSetting | null;
   /** Whether the error reached was measured; otherwise it is a limit from above. */
   declare measured: boolean;
   /** Whether what differs over the surface multiplies it. */
@@ -100,7 +104,7 @@ export class BoundRow extends LitElement {
         label=${pageEnglish.bounds.of(name)}
         spoken="${percentText(fraction)}, ${bound}"
         .fraction=${fraction}
-        .used=${free ? 0 : (this.reached?.ratio ?? 0)}
+        .used=${free || this.shownWith ? 0 : (this.reached?.ratio ?? 0)}
         ?disabled=${free}
         @bound-input=${({ detail }: CustomEvent<number>) => this.#slide(detail)}
       ></meshbound-bound-slider>
@@ -122,7 +126,8 @@ export class BoundRow extends LitElement {
     const percent = absolute === undefined;
     return html`<meshbound-number-field
       label=${pageEnglish.bounds.ofIn(name, percent ? pageEnglish.bounds.percent : (this.unit ?? pageEnglish.bounds.itsUnit))}
-      .text=${percent ? percentNumber(fraction) : String(absolute)}
+      .text=${fieldText(percent ? percentOf(fraction) : absolute)}
+      exact=${percent ? percentOf(fraction) : absolute}
       .parse=${percent ? parsePercent : parseAmount}
       ?disabled=${free}
       @number-input=${({ detail }: CustomEvent<number>) => {
@@ -152,13 +157,23 @@ export class BoundRow extends LitElement {
 
   #reached() {
     if (!this.reached) return nothing;
-    return html`<button
+    const { shownWith } = this;
+    const other = shownWith
+      ? html`<span class="other">${pageEnglish.bounds.shownWith(this.#text(shownWith))}</span> `
+      : nothing;
+    return html`${other}<button
       class="error"
       title=${pageEnglish.bounds.errorHint}
       @click=${() => this.dispatchEvent(new CustomEvent('worst-wanted'))}
     >
-      ${pageEnglish.bounds.error} ${this.measured ? '' : '≤ '}${upperText(this.reached.error)}
+      ${pageEnglish.bounds.error} ≤ ${upperText(this.reached.error)}
     </button>`;
+  }
+
+  /** A bound as it was stated. */
+  #text({ fraction, absolute, free }: BoundSetting): string {
+    if (free) return pageEnglish.bounds.free;
+    return absolute === undefined ? percentText(fraction) : withUnit(upperText(absolute), this.unit);
   }
 
   #slide(fraction: number): void {
@@ -170,8 +185,8 @@ export class BoundRow extends LitElement {
   /** The same bound, in percent or in the unit. */
   #restate({ target }: Event): void {
     const { fraction, free } = this.setting;
-    if ((target as HTMLSelectElement).value === 'percent') this.#change({ fraction: tidy(fraction), free });
-    else this.#change(inUnit(tidy(fraction * wholeOf(this.variable)), this.variable));
+    if ((target as HTMLSelectElement).value === 'percent') this.#change({ fraction, free });
+    else this.#change({ fraction, absolute: fraction * wholeOf(this.variable), free });
     settle(this);
   }
 

@@ -1,7 +1,13 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
 import type { Report, VariableExtent } from '../../wasm/index.ts';
-import { type BoundSetting, type BoundSettings, largestFraction, parsePercent } from '../session/bound-setting.ts';
+import {
+  type BoundSetting,
+  type BoundSettings,
+  largestFraction,
+  parsePercent,
+  sameSetting,
+} from '../session/bound-setting.ts';
 import { type Bounds, readBounds } from '../session/bound-text.ts';
 import type { CurvePoint } from '../session/bounds-curve.ts';
 import { isMultiplied, type Keeping, nothingKept } from '../session/keeping.ts';
@@ -15,7 +21,8 @@ import { controlsStyle } from '../element/controls-style.ts';
 import './menu.ts';
 import './method-choice.ts';
 import './number-field.ts';
-import { percentNumber, percentText } from '../element/number-text.ts';
+import { percentOf, percentText } from '../element/number-text.ts';
+import { fieldText } from '../session/rounding.ts';
 import './focus-choice.ts';
 import './held-back.ts';
 import './lock-choice.ts';
@@ -55,6 +62,7 @@ export class BoundsPanel extends LitElement {
     keeping: { attribute: false },
     pinned: { attribute: false },
     report: { attribute: false },
+    shownBounds: { attribute: false },
     unmetBoxes: { attribute: false },
     reduction: { attribute: false },
     spreadShown: { state: true },
@@ -118,6 +126,8 @@ export class BoundsPanel extends LitElement {
   /** The place on the original that is pinned. */
   declare pinned: readonly number[] | null;
   declare report: Report | null;
+  /** What the result shown was made with, where that is not what is asked for; else null. */
+  declare shownBounds: BoundSettings | null;
   /** Of the last reduction from the original: a provisional answer knows only what its box meets on the way there. */
   declare unmetBoxes: readonly number[];
   /** What the report is of. */
@@ -138,6 +148,7 @@ export class BoundsPanel extends LitElement {
     this.keeping = nothingKept;
     this.pinned = null;
     this.report = null;
+    this.shownBounds = null;
     this.unmetBoxes = [];
     this.reduction = null;
     this.spreadShown = false;
@@ -222,7 +233,7 @@ export class BoundsPanel extends LitElement {
       <span>
         <meshbound-number-field
           label=${pageEnglish.bounds.largestInPercent}
-          .text=${percentNumber(fraction)}
+          .text=${fieldText(percentOf(fraction))}
           .parse=${parsePercent}
           @number-input=${(event: CustomEvent<number>) => {
             input(event);
@@ -247,6 +258,7 @@ export class BoundsPanel extends LitElement {
         .unit=${this.surface?.labels.units[variable.name]}
         .setting=${this.bounds[variable.name]}
         .reached=${this.report?.variables[index] ?? null}
+        .shownWith=${this.#shownWith(variable.name)}
         .measured=${this.measured}
         .multiplied=${isMultiplied(this.keeping)}
         @worst-wanted=${() => this.dispatchEvent(new CustomEvent('worst-wanted', { detail: variable.name }))}
@@ -254,6 +266,11 @@ export class BoundsPanel extends LitElement {
           this.#change({ variable: variable.name, setting: detail })}
       ></meshbound-bound-row>
     </div>`;
+  }
+
+  #shownWith(variable: string): BoundSetting | null {
+    const shown = this.shownBounds?.[variable];
+    return shown && !sameSetting(shown, this.bounds[variable]) ? shown : null;
   }
 
   #spread() {

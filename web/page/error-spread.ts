@@ -1,9 +1,9 @@
 import { css, html, LitElement, nothing, svg } from 'lit';
 import type { Mesh, Report, VariableReport } from '../../wasm/types.ts';
 import { controlsStyle } from '../element/controls-style.ts';
-import { countText, percentText } from '../element/number-text.ts';
+import { countText, percentText, upperShareText } from '../element/number-text.ts';
 import { isMeasured } from '../element/promise-words.ts';
-import { type ErrorHistogram, errorHistograms, histogramBins, quantile } from '../probe/error-histogram.ts';
+import { type ErrorHistogram, errorHistograms, histogramBins } from '../probe/error-histogram.ts';
 import type { Multiplied } from '../probe/multiplied.ts';
 import { pageEnglish } from '../words/page-english.ts';
 
@@ -90,21 +90,21 @@ export class ErrorSpread extends LitElement {
   #drawing({ name, ratio }: VariableReport, histogram: ErrorHistogram | null) {
     if (!histogram)
       return html`<div class="name small"><span>${name}</span><span class="soft">${pageEnglish.spread.free}</span></div>`;
-    const [half, most] = [0.5, 0.95].map((share) => percentText(quantile(histogram, share)));
+    const [half, most] = [histogram.half, histogram.most].map(upperShareText);
     const words = pageEnglish.spread.long(half, most);
     return html`<div class="name small" title=${words}>
         <span>${name}</span><span class="quantiles soft">${pageEnglish.spread.short(half, most)}</span>
       </div>
       <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label="${name}: ${words}">
-        ${this.#parts(histogram)}
+        ${this.#parts(histogram.parts)}
         <line class="largest" x1=${ratio * width} x2=${ratio * width} y1="0" y2=${height}></line>
       </svg>`;
   }
 
-  #parts(histogram: ErrorHistogram) {
-    const highest = Math.max(...histogram);
+  #parts(parts: Float64Array) {
+    const highest = Math.max(...parts);
     const step = width / histogramBins;
-    return Array.from(histogram, (share, index) => {
+    return Array.from(parts, (share, index) => {
       const size = highest > 0 ? (share / highest) * (height - 1) : 0;
       return svg`<rect class="part" x=${index * step + 0.5} y=${height - size} width=${step - 1} height=${size}></rect>`;
     });

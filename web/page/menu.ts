@@ -8,6 +8,8 @@ export interface MenuItem {
   title?: string;
   /** Does it; may resolve to what the user is told of its success. */
   take: () => unknown;
+  /** It cannot be done now; the title says why. */
+  disabled?: boolean;
 }
 
 /** How long success is told, in milliseconds. */
@@ -73,7 +75,8 @@ export class Menu extends LitElement {
       <span class="unseen" role="status">${this.told}</span>
       <div id="list" popover @toggle=${this.#place}>
         ${this.items.map(
-          (item) => html`<button title=${item.title ?? ''} @click=${() => this.#take(item)}>${item.text}</button>`,
+          (item) =>
+            html`<button title=${item.title ?? ''} ?disabled=${item.disabled} @click=${() => this.#take(item)}>${item.text}</button>`,
         )}
       </div>
     `;

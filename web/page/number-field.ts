@@ -15,6 +15,7 @@ function stepFor(size: number): number | 'any' {
 export class NumberField extends LitElement {
   static override properties = {
     text: {},
+    exact: {},
     parse: { attribute: false },
     label: {},
     size: { attribute: false },
@@ -30,7 +31,8 @@ export class NumberField extends LitElement {
         position: relative;
       }
       input {
-        width: 58px;
+        /* Four significant digits with an exponent have room: “−1.234e−10”. */
+        width: calc(9ch + 14px);
         text-align: right;
       }
       input[aria-invalid='true'] {
@@ -84,6 +86,8 @@ export class NumberField extends LitElement {
 
   /** What stands in the field. */
   declare text: string;
+  /** The same with all of its digits, where the field has no room for them. */
+  declare exact: string;
   declare parse: (text: string) => Parsed;
   declare label: string;
   /** How large the number can be, where the arrow keys change it: it sets their steps. */
@@ -95,6 +99,7 @@ export class NumberField extends LitElement {
   constructor() {
     super();
     this.text = '';
+    this.exact = '';
     this.label = '';
     this.size = null;
     this.disabled = false;
@@ -112,7 +117,7 @@ export class NumberField extends LitElement {
         inputmode="decimal"
         autocomplete="off"
         aria-label=${this.label}
-        title=${this.size === null ? nothing : this.label}
+        title=${this.size === null ? this.#exactTitle() : this.label}
         aria-invalid=${this.fault ? 'true' : 'false'}
         aria-describedby="fault"
         .value=${this.text}
@@ -120,6 +125,10 @@ export class NumberField extends LitElement {
         @change=${this.#change}
         @keydown=${this.#keydown}
       />${this.fault ? html`<p id="fault" role="alert">${this.fault}</p>` : nothing}`;
+  }
+
+  #exactTitle() {
+    return this.exact && this.exact !== this.text ? this.exact : nothing;
   }
 
   #change({ target }: Event): void {

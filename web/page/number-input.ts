@@ -1,5 +1,6 @@
 import { html } from 'lit';
 import type { Parsed } from '../session/bound-setting.ts';
+import { readDecimal } from '../session/decimal.ts';
 import { pageEnglish } from '../words/page-english.ts';
 import './number-field.ts';
 
@@ -27,7 +28,7 @@ export function numberInput(
 
 /** Any number. */
 export function parseNumber(text: string): Parsed {
-  const value = text.trim() === '' ? Number.NaN : Number(text);
+  const value = readDecimal(text);
   return Number.isFinite(value) ? { value, text: String(value) } : { fault: pageEnglish.numbers.none };
 }
 

@@ -5,8 +5,14 @@ import { normalOf } from './place.ts';
 /** Into how many parts error / bound, 0…1, is cut. */
 export const histogramBins = 20;
 
-/** How much of a surface has which error: shares of its area by error / bound, from 0…1/20 to 19/20…1. They add up to 1. */
-export type ErrorHistogram = Float64Array;
+/** How much of a surface has which error. */
+export interface ErrorHistogram {
+  /** Shares of its area by error / bound, from 0…1/20 to 19/20…1. They add up to 1. */
+  parts: Float64Array;
+  /** Of half and of 95 % of the area no error / bound is larger than this. */
+  half: number;
+  most: number;
+}
 
 /**
  * The errors of each variable by area: position first, then the variables in their order; null for a free one. Where errors
@@ -22,26 +28,29 @@ export function errorHistograms(mesh: Mesh, reduction: Multiplied): (ErrorHistog
   });
 }
 
-/** Below which error / bound this share of the area certainly stays: the end of one of the histogram's parts. */
-export function quantile(histogram: ErrorHistogram, share: number): number {
-  let sum = 0;
-  // Added up, all parts may miss 1 by rounding.
-  const last = histogram.findIndex((part) => {
-    sum += part;
-    return sum >= share;
-  });
-  return last < 0 ? 1 : (last + 1) / histogramBins;
-}
-
 function histogram(shares: Float32Array | Float64Array, areas: Float64Array): ErrorHistogram {
-  const bins = new Float64Array(histogramBins);
+  const parts = new Float64Array(histogramBins);
   let whole = 0;
   for (let each = 0; each < shares.length; each++) {
     // All of the bound belongs to the last part.
-    bins[Math.min(histogramBins - 1, Math.floor(histogramBins * shares[each]))] += areas[each];
+    parts[Math.min(histogramBins - 1, Math.floor(histogramBins * shares[each]))] += areas[each];
     whole += areas[each];
   }
-  return whole > 0 ? bins.map((area) => area / whole) : bins;
+  const [half, most] = quantiles(shares, areas, whole);
+  return { parts: whole > 0 ? parts.map((area) => area / whole) : parts, half, most };
+}
+
+/** The smallest values that half and 95 % of the area do not exceed. */
+function quantiles(shares: Float32Array | Float64Array, areas: Float64Array, whole: number): [number, number] {
+  const order = Uint32Array.from(shares.keys()).sort((a, b) => shares[a] - shares[b]);
+  let sum = 0;
+  let next = 0;
+  const reached = (share: number): number => {
+    // Added up, all areas may miss the whole by rounding.
+    while (next < order.length - 1 && sum + areas[order[next]] < share * whole) sum += areas[order[next++]];
+    return order.length > 0 ? shares[order[next]] : 0;
+  };
+  return [reached(0.5), reached(0.95)];
 }
 
 function vertexAreas(mesh: Mesh): Float64Array {

@@ -1,6 +1,8 @@
 import type { VariableExtent } from '../../wasm/inspection.ts';
 import type { Bound } from '../../wasm/types.ts';
 import { type Bounds, boundOf } from './bound-text.ts';
+import { notANumber, readDecimal } from './decimal.ts';
+import { fieldText } from './rounding.ts';
 
 /** What the user asks of one variable: a bound as a fraction of its extent or in its unit, or none. */
 export interface BoundSetting {
@@ -25,6 +27,12 @@ export function defaultBounds(variables: readonly string[]): BoundSettings {
   ]);
   // From entries, so that a variable may be called `__proto__`.
   return Object.fromEntries(settings);
+}
+
+/** Whether two settings bound alike. */
+export function sameSetting(one: BoundSetting, other: BoundSetting): boolean {
+  if (one.free || other.free) return one.free === other.free;
+  return one.fraction === other.fraction && one.absolute === other.absolute;
 }
 
 /** Whether these are the bounds that a surface starts with. */
@@ -104,23 +112,21 @@ const zeroBound = 'A bound cannot be zero: nothing could be removed.';
 /** A number that a user typed, as the field shows it, or what is wrong with it. */
 export type Parsed = { value: number; text: string } | { fault: string };
 
-/** A percentage that a user typed, as a tidy fraction. */
+/** A percentage that a user typed, as a fraction: what is typed is what runs, digit by digit. */
 export function parsePercent(text: string): Parsed {
   const parsed = parseAmount(text.trim().replace(/\s*%$/, ''));
   if ('fault' in parsed) return parsed;
-  const percent = tidy(parsed.value);
-  const value = tidy(percent / 100);
-  return value === 0 ? { fault: zeroBound } : { value, text: String(percent) };
+  const value = Number(`${parsed.value}e-2`) || parsed.value / 100;
+  return value === 0 ? { fault: zeroBound } : { value, text: parsed.text };
 }
 
 /** A bound in a variable's unit. */
 export function parseAmount(text: string): Parsed {
   const written = text.trim();
-  const value = written === '' ? Number.NaN : Number(written);
-  if (Number.isNaN(value))
-    return { fault: written === '' ? 'A bound needs a number.' : `“${written}” is not a number.` };
+  const value = readDecimal(written);
+  if (Number.isNaN(value)) return { fault: written === '' ? 'A bound needs a number.' : notANumber(written) };
   if (!Number.isFinite(value)) return { fault: 'A bound must be finite. To set no bound, clear “bounded”.' };
   if (value < 0) return { fault: 'A bound cannot be negative.' };
   if (value === 0) return { fault: zeroBound };
-  return { value, text: String(value) };
+  return { value, text: fieldText(value) };
 }

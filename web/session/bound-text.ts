@@ -1,5 +1,6 @@
 import type { Bound } from '../../wasm/types.ts';
 import { quoted } from '../formats/wording.ts';
+import { readDecimal } from './decimal.ts';
 
 /** Bounds by variable name; `position` is the geometry, `*` every variable not named. */
 export type Bounds = Readonly<Record<string, Bound>>;
@@ -14,12 +15,12 @@ export function readBound(text: string): Bound {
   const value = text.trim();
   if (value === 'free') return 'free';
   const [, digits, percent] = /^(.*?)\s*(%?)$/.exec(value) ?? [];
-  const number = digits ? Number(digits) : Number.NaN;
+  const number = readDecimal(digits ?? '');
   if (Number.isNaN(number)) throw new BoundTextError(`${quoted(value)} is not a number, a percentage or “free”.`);
   if (!(number > 0 && Number.isFinite(number))) {
     throw new BoundTextError(`${quoted(value)} is not a finite number above zero.`);
   }
-  return percent ? { relative: Number(inHundreds(digits, -1)) } : { absolute: number };
+  return percent ? { relative: Number(inHundreds(String(number), -1)) } : { absolute: number };
 }
 
 /** One entry of a list: a name, plain or in double quotes as in JSON, a colon, a bound; then a semicolon or the end. */

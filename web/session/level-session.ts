@@ -14,6 +14,8 @@ export interface LevelState {
   nested: Levels | null;
   /** The same, each with what it was asked with; empty where there are none. */
   results: readonly Reduced[];
+  /** Some are wanted, but no variable has a bound that could grow from level to level. */
+  unbounded: boolean;
   /** Of making them, 0…1; null where none are being made. */
   progress: number | null;
   /** What is shown: 0 the original, 1 the finest level, … `count` the coarsest; in between on the way. */
@@ -27,6 +29,10 @@ export const mostLevels = 6;
 
 /** From level to level all bounds grow by this factor. */
 export const levelFactor = 2;
+
+function isUnbounded(bounds: BoundSettings): boolean {
+  return Object.values(bounds).every(({ free }) => free);
+}
 
 /** All bounds times a factor. */
 export function coarser(bounds: BoundSettings, factor: number): BoundSettings {
@@ -44,7 +50,15 @@ export class LevelSession extends EventTarget {
   #reduceLevels: (mesh: Mesh, options: LevelsOptions) => Promise<Levels>;
   #making = new Latest();
   #of: Reduced | null = null;
-  #state: LevelState = { count: 0, nested: null, results: [], progress: null, position: 1, pixels: null };
+  #state: LevelState = {
+    count: 0,
+    nested: null,
+    results: [],
+    unbounded: false,
+    progress: null,
+    position: 1,
+    pixels: null,
+  };
 
   constructor(session: Session, reduceLevels: (mesh: Mesh, options: LevelsOptions) => Promise<Levels>) {
     super();
@@ -94,9 +108,11 @@ export class LevelSession extends EventTarget {
 
   #start(): void {
     this.#making.abort();
+    this.#session.forget('levels');
     const { surface, provisional } = this.#session.state;
-    const wanted = this.#state.count > 0 && this.#of !== null && surface !== null && provisional === null;
-    this.#update({ nested: null, results: [], progress: wanted ? 0 : null });
+    const unbounded = this.#state.count > 0 && this.#of !== null && isUnbounded(this.#of.bounds);
+    const wanted = this.#state.count > 0 && this.#of !== null && surface !== null && provisional === null && !unbounded;
+    this.#update({ nested: null, results: [], unbounded, progress: wanted ? 0 : null });
     if (wanted) void this.#make(surface, this.#of as Reduced);
   }
 
@@ -117,7 +133,7 @@ export class LevelSession extends EventTarget {
       this.#update({ nested, results, progress: null });
     } catch (error) {
       this.#update({ progress: null });
-      this.#session.report(error);
+      this.#session.report(error, { about: 'levels' });
     }
   }
 

@@ -1,6 +1,18 @@
 /** 100 × 0.03 is 3.0000000000000004 in the machine's numbers; that is not above 3. */
 const roundingSlack = 1e-9;
 
+/** As many signs have room in a field. */
+const fieldLength = 9;
+
+/** A number as a field shows it: as it is where that has room, else with four significant digits. */
+export function fieldText(value: number): string {
+  const whole = String(value);
+  if (whole.length <= fieldLength) return whole;
+  const rounded = Number(value.toPrecision(4));
+  const plain = String(rounded);
+  return plain.length <= fieldLength ? plain : rounded.toExponential().replace('e+', 'e');
+}
+
 /**
  * A number rounded up to so many significant digits. Bounds and errors are both written so: neither is written smaller
  * than it is, and an error within its bound is never written above it.

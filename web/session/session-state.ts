@@ -1,7 +1,7 @@
 import type { Multiplied } from '../probe/multiplied.ts';
 import type { BoundSettings } from './bound-setting.ts';
-import { type Keeping, nothingKept } from './keeping.ts';
-import { firstMethod, type Method } from './method.ts';
+import { type Keeping, nothingKept, sameKeeping } from './keeping.ts';
+import { firstMethod, type Method, sameMethod } from './method.ts';
 import type { OpenSurface } from './open-surface.ts';
 
 /** A file that is being opened. */
@@ -32,8 +32,12 @@ export interface Notice {
   text: string;
   /** Of an error: what is wrong, for programs. */
   code?: string;
+  /** What it is about, where that is said more than once: a later notice about the same takes its place. */
+  about?: string;
   /** It is not about the file, and stays when another one is opened. */
   lasting?: boolean;
+  /** It tells that something went well, and goes by itself. */
+  passing?: boolean;
   /** It is about the last reduction, and goes when the next one starts. */
   ofReduction?: boolean;
   /** It tells of what can part the surface into regions, and goes when that is chosen. */
@@ -53,6 +57,8 @@ export interface SessionState extends Asked {
   progress: number | null;
   /** The user stopped the last reduction: a result is that of the one before. */
   cancelled: boolean;
+  /** Why what is asked for cannot be reduced: a result is of what was asked for before. Null where nothing is wrong. */
+  refusal: string | null;
   /** The last good reduction of this surface: of earlier bounds where another one runs. */
   reduced: Reduced | null;
   /**
@@ -73,10 +79,25 @@ export const emptyState: SessionState = {
   keeping: nothingKept,
   progress: null,
   cancelled: false,
+  refusal: null,
   reduced: null,
   provisional: null,
   notices: [],
 };
+
+/** How the answer at hand stands to what is asked for: it is the answer to that, or to what was asked for before. */
+export type Standing = 'asked' | 'running' | 'cancelled' | 'refused';
+
+export function standingOf(state: SessionState): Standing {
+  if (state.refusal !== null) return 'refused';
+  const answer = answerOf(state);
+  if (!answer || isAnswerTo(answer, state)) return 'asked';
+  return state.progress === null ? 'cancelled' : 'running';
+}
+
+function isAnswerTo(answer: Reduced, { bounds, method, keeping }: Asked): boolean {
+  return answer.bounds === bounds && sameMethod(answer.method, method) && sameKeeping(answer.keeping, keeping);
+}
 
 /** What is to be seen of a session: the answer at hand. */
 export function answerOf({ provisional, reduced }: SessionState): Reduced | null {

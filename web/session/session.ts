@@ -14,7 +14,12 @@ import type { Source } from './open-surface.ts';
 import type { OpenedFile } from './read.ts';
 import { type Asking, Reducing } from './reducing.ts';
 import type { Services } from './services.ts';
-import { emptyState, type Notice, type Opening, type SessionState } from './session-state.ts';
+import { emptyState, type Notice, type Opening, type SessionState, standingOf } from './session-state.ts';
+
+/** The fault of bounds that name variables which the surface does not have; another surface may have them. */
+const namesOfBounds = 'names of bounds';
+/** All faults that bounds can have. The first is that of a text that states none. */
+const boundFaults = ['bounds', namesOfBounds];
 
 /**
  * What is open, what is asked of it and what came of it. Emits `change` whenever its state changes. A fault leaves the
@@ -26,6 +31,8 @@ export class Session extends EventTarget {
   #reducing: Reducing;
   #lastNotice = 0;
   #wanted: Bounds | null = null;
+  /** What is asked for and cannot be understood, by what it is about: until it is made good, nothing is reduced. */
+  #faults = new Map<string, unknown>();
   #history = historyOf<BoundSettings>({});
   /** What all bounds are moved in proportion to: moving the rounded bounds on and on would change their proportions. */
   #mix: BoundSettings = {};
@@ -57,21 +64,56 @@ export class Session extends EventTarget {
    */
   wantBounds(bounds: Bounds | null, { later = false } = {}): void {
     this.#wanted = bounds;
+    this.#mend(...boundFaults);
     if (!later && this.#state.surface) this.#setBounds(this.#firstBounds(this.#state.surface.variables));
   }
 
+  /**
+   * Something that is asked for cannot be understood: it is not taken for something else, nothing is reduced until it is made
+   * good, by an `error` of null. What was reduced before stays.
+   *
+   * @param of what it is about, for example `bounds`
+   */
+  setFault(of: string, error: unknown): void {
+    if (error === null) {
+      if (!this.#mend(of)) return;
+      const isAnswered = this.#state.reduced !== null && standingOf(this.#state) === 'asked';
+      if (!isAnswered && !this.#state.opening) this.reduceAgain();
+      return;
+    }
+    this.#faults.set(of, error);
+    this.#reducing.stop();
+    this.report(error, { about: of, lasting: true });
+    this.#update({ refusal: this.#refusal, progress: null, provisional: null });
+  }
+
+  /** Nothing is wrong with these any more. Returns whether something was. */
+  #mend(...these: string[]): boolean {
+    const mended = these.filter((of) => this.#faults.delete(of));
+    for (const of of mended) this.forget(of);
+    if (mended.length > 0) this.#update({ refusal: this.#refusal });
+    return mended.length > 0;
+  }
+
+  get #refusal(): string | null {
+    return [...this.#faults.values()].map(messageOf).join(' ') || null;
+  }
+
   setBound(variable: string, setting: BoundSetting): void {
+    this.#mend(...boundFaults);
     this.#setBounds({ ...this.#state.bounds, [variable]: setting }, variable);
   }
 
   /** Multiplies all bounds so that the largest becomes `fraction`. */
   setAllBounds(fraction: number): void {
+    this.#mend(...boundFaults);
     const mix = this.#mix;
     this.#setBounds(moveAll(mix, fraction), '*');
     this.#mix = mix;
   }
 
   setBounds(bounds: Bounds): void {
+    this.#mend(...boundFaults);
     if (this.#state.surface) this.#setBounds(settingsFrom(bounds, this.#state.surface.variables));
   }
 
@@ -106,8 +148,13 @@ export class Session extends EventTarget {
   /** Starts the reduction anew; one that runs is aborted. */
   reduceAgain(): void {
     if (!this.#state.surface) return;
-    this.#update({ progress: 0, cancelled: false });
-    void this.#reducing.start();
+    this.#update(this.#asFirst());
+    if (this.#faults.size === 0) void this.#reducing.start();
+  }
+
+  /** Before a reduction: it begins, unless something that is asked for cannot be understood. */
+  #asFirst(): Pick<SessionState, 'progress' | 'cancelled' | 'refusal'> {
+    return { progress: this.#faults.size === 0 ? 0 : null, cancelled: false, refusal: this.#refusal };
   }
 
   /** Stops what is opened, or else the running reduction. The last surface and result, if there are, stay. */
@@ -129,14 +176,23 @@ export class Session extends EventTarget {
     this.dispatchEvent(new Event('stop'));
   }
 
-  /** Tells the user of a fault; a lasting one is not about the file that is open. */
-  report(error: unknown, { lasting = false } = {}): void {
-    this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), lasting });
+  /**
+   * Tells the user of a fault; a lasting one is not about the file that is open. One `about` the same as an earlier one takes its
+   * place.
+   */
+  report(error: unknown, { about, lasting = false }: { about?: string; lasting?: boolean } = {}): void {
+    this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), about, lasting });
   }
 
-  /** Tells the user something worth knowing of what is open. */
-  tell(text: string): void {
-    this.#notify({ kind: 'note', text });
+  /** Tells the user something worth knowing of what is open; what is passing goes by itself. */
+  tell(text: string, { about, passing = false }: { about?: string; passing?: boolean } = {}): void {
+    this.#notify({ kind: 'note', text, about, passing });
+  }
+
+  /** Takes back what was said about something: it is so no longer. */
+  forget(about: string): void {
+    const notices = this.#state.notices.filter((notice) => notice.about !== about);
+    if (notices.length < this.#state.notices.length) this.#update({ notices });
   }
 
   dismiss(id: number): void {
@@ -176,6 +232,7 @@ export class Session extends EventTarget {
     { variables, oddities }: Inspection,
   ): void {
     this.#reducing.forget();
+    this.#mend(namesOfBounds);
     const surface = { name, address, mesh, labels, variables, locked, regions };
     const bounds = this.#firstBounds(variables);
     this.#history = historyOf(bounds);
@@ -186,26 +243,22 @@ export class Session extends EventTarget {
       opening: null,
       surface,
       bounds,
-      progress: 0,
-      cancelled: false,
+      ...this.#asFirst(),
       reduced: null,
       provisional: null,
     });
     for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
     const choosable = choosableRegionNotes(regions, this.#state.keeping.regions);
     for (const text of choosable) this.#notify({ kind: 'note', text, ofRegions: true });
-    void this.#reducing.start();
+    if (this.#faults.size === 0) void this.#reducing.start();
   }
 
-  /** What is wanted, as far as there are such variables. */
+  /** What is wanted. Where it names a variable that there is not, it is refused: without a bound anything would be allowed. */
   #firstBounds(variables: VariableExtent[]): BoundSettings {
     const names = variables.map(({ name }) => name);
     if (!this.#wanted) return defaultBounds(names);
     const missing = Object.keys(this.#wanted).filter((name) => name !== '*' && !names.includes(name));
-    if (missing.length > 0) {
-      const text = `There is no variable ${listed(missing)} to bound; the variables are ${listed(names)}.`;
-      this.#notify({ kind: 'error', code: 'unknown_variable', text });
-    }
+    if (missing.length > 0) this.setFault(namesOfBounds, unknownVariable(missing, names));
     return settingsFrom(this.#wanted, variables);
   }
 
@@ -232,8 +285,8 @@ export class Session extends EventTarget {
     const { past, present, future } = history;
     this.#mix = present;
     const [canUndo, canRedo] = [past.length > 0, future.length > 0];
-    this.#update({ bounds: present, canUndo, canRedo, progress: 0, cancelled: false });
-    this.#reducing.follow();
+    this.#update({ bounds: present, canUndo, canRedo, ...this.#asFirst() });
+    if (this.#faults.size === 0) this.#reducing.follow();
   }
 
   /** How the answers become the state. */
@@ -249,7 +302,7 @@ export class Session extends EventTarget {
       reduced: (reduced, goesOn) => this.#update({ reduced, provisional: null, progress: goesOn ? 0 : null }),
       failed: (error) => {
         this.#notify({ kind: 'error', code: codeOf(error), text: messageOf(error), ofReduction: true });
-        this.#update({ provisional: null, progress: null });
+        this.#update({ provisional: null, progress: null, refusal: messageOf(error) });
       },
     };
   }
@@ -259,7 +312,18 @@ export class Session extends EventTarget {
     this.dispatchEvent(new Event('change'));
   }
 
+  /** The same is not said twice: what is new takes the place of what was said before. */
   #notify(notice: Omit<Notice, 'id'>): void {
-    this.#update({ notices: [...this.#state.notices, { ...notice, id: ++this.#lastNotice }] });
+    const others = this.#state.notices.filter((other) => !isAboutTheSame(other, notice));
+    this.#update({ notices: [...others, { ...notice, id: ++this.#lastNotice }] });
   }
+}
+
+function isAboutTheSame(one: Omit<Notice, 'id'>, other: Omit<Notice, 'id'>): boolean {
+  return one.text === other.text || (one.about !== undefined && one.about === other.about);
+}
+
+function unknownVariable(missing: string[], names: string[]): Error {
+  const text = `There is no variable ${listed(missing)} to bound; the variables are ${listed(names)}.`;
+  return Object.assign(new Error(text), { code: 'unknown_variable' });
 }

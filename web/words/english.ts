@@ -30,7 +30,20 @@ export const english = {
     free: (names: string[]) => `Free, so nothing promised: ${listed(names)}.`,
   },
 
-  sentence: { provisional: 'Provisional:', all: 'Show all', less: 'Show less' },
+  sentence: {
+    provisional: 'Provisional:',
+    /** Before the sentence on a result that is not the answer to what is asked for. */
+    earlier: {
+      running: 'With the bounds before:',
+      cancelled: 'Not with what is asked for, which was cancelled, but with the bounds before:',
+      refused: 'Not with what is asked for, which was refused, but with the bounds before:',
+    },
+    notReduced: (reason: string) => `Not reduced. ${reason}`,
+    levelZero: 'Shown is the original. Level 1:',
+    onTheWay: (level: number) => `On the way to level ${level}. There:`,
+    all: 'Show all',
+    less: 'Show less',
+  },
 
   heldBack: {
     nothing: 'Nothing holds it back.',
@@ -48,7 +61,7 @@ export const english = {
     percent: (percent: number) => ` ${percent}${space}%`,
     reducing: (percent: number) => `Reducing… ${percent}${space}%`,
     exact: (percent: number) => `Exact answer… ${percent}${space}%`,
-    savedLater: 'Saved as soon as the exact answer is there: what is shown now is provisional.',
+    savedLater: 'Saved as soon as the answer to what is asked for is there.',
     cancel: 'Cancel',
     cancelled: 'Cancelled',
     keptBefore: 'The result shown, and saved, is the one before.',
@@ -67,12 +80,30 @@ export const english = {
     noWebGl: 'Nothing can be drawn: this browser offers no WebGL 2. Reducing and saving still work.',
     stateNotJson: 'This is no state of the viewer: it is not JSON.',
     stateMissing: 'This is no state of the viewer: “meshbound” is missing.',
-    linkToFile: 'A link cannot hold a file of yours: put it where an address reaches it, and open that.',
     attribute: (name: string, text: string, why: string) => `${name} cannot be “${text}”: ${why}`,
     cannotCopy: (text: string) => `The browser does not let this page copy. ${text}`,
   },
 
-  notices: { dismiss: 'Dismiss' },
+  notices: {
+    dismiss: 'Dismiss',
+    detail: 'Detail',
+    /** Of errors that are no one's fault but ours. */
+    ours: {
+      internal:
+        'Something went wrong inside Meshbound: this is its own fault, not that of your file. What was shown before is still there and can be saved.',
+      worker_failed:
+        'The part of Meshbound that computes could not be started, or has stopped. What was shown before is still there; the next change tries again.',
+      bad_map:
+        'Meshbound does not accept a map that it made itself: this is its own fault, not that of your file. The reduced surface keeps its bounds and can be saved; what needs the map, as levels, morphs and probes, does not work here.',
+      bad_waypoint:
+        'Meshbound does not accept a state that it made itself: this is its own fault, not that of your file. What was shown before is still there and can be saved.',
+    },
+  },
+
+  save: {
+    earlier: (name: string, bounds: string) =>
+      `${name} holds the result with the bounds before, ${bounds}; what is asked for now was not reduced.`,
+  },
 
   stage: {
     surfaces: { original: 'original surface', reduced: 'reduced surface' },
@@ -82,6 +113,7 @@ export const english = {
     reducing: 'Reducing…',
     notReduced: 'Not reduced',
     provisional: 'provisional',
+    earlier: 'earlier bounds',
     level: (level: number) => `Level ${level}`,
     levelZero: 'Original, as level 0',
     onTheWay: 'On the way to level',
@@ -168,6 +200,7 @@ export const english = {
     none: 'none',
     what: 'Ever coarser, with smooth transitions',
     making: (percent: number) => `Making levels: ${percent} %`,
+    unbounded: 'Levels grow from bounds, and no variable has one.',
     position: 'Position among levels',
     choice: 'Which level',
     choiceHint: 'By hand, or the coarsest whose error in space spans no more on screen',

@@ -20,6 +20,8 @@ export const pageEnglish = {
     by: (bound: string, multiplied: boolean) => `bounded by ${bound}${multiplied ? `${space}×${space}f` : ''}`,
     constant: 'constant',
     constantHint: 'Its values differ by rounding only: the percentage is of their magnitude.',
+    shownWith: (bound: string) => `shown with ${bound}:`,
+    free: 'no bound',
     error: 'error',
     errorHint: 'No point of the surface has a larger error than this: show where it is.',
     undo: 'Undo',
@@ -201,6 +203,7 @@ export const pageEnglish = {
     drop: 'Drop to open',
     copied: 'Copied',
     save: 'Save…',
+    saveEarlier: 'Save the earlier result…',
     saved: {
       ply: { text: 'PLY', title: 'The reduced surface with all variables' },
       vtp: { text: 'VTP', title: 'The reduced surface with all variables, for ParaView' },
@@ -215,6 +218,10 @@ export const pageEnglish = {
     picture: { text: 'Picture (PNG)', title: 'What is seen, with its legends' },
     barePicture: { text: 'Picture, no legends', title: 'The surfaces alone' },
     share: 'Share…',
+    noLink: {
+      text: 'Copy link',
+      title: 'A link cannot hold a file of yours: put it where an address reaches it, and open that.',
+    },
     copyLink: { text: 'Copy link', title: 'An address of this page with the same surface, bounds and view' },
     copyEmbed: { text: 'Copy embed code', title: 'A viewer for a page of your own' },
     saveState: { text: 'Save state', title: 'Bounds and view as a file' },
