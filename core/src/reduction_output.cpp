@@ -93,7 +93,7 @@ Renaming extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduc
         renamed.triangle[slot] = static_cast<std::uint32_t>(reduction.mesh.triangles.size());
         const auto corner = [&](std::uint32_t i) { return renamed.vertex[surface.origin(3 * slot + i)]; };
         reduction.mesh.triangles.push_back({corner(0), corner(1), corner(2)});
-        if (!mesh.regions.empty()) reduction.mesh.regions.push_back(surface.region(slot));
+        if (surface.has_regions()) reduction.mesh.regions.push_back(surface.region(slot));
     }
     reduction.mesh.position = gather(mesh.position, reduction.vertices);
     for (const Variable& variable : mesh.variables)
