@@ -91,6 +91,7 @@ std::size_t ReductionRun::dropped_backs() const {
 Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span,
                                       LevelLink* link) {
     drop_small_parts(bounds[0].absolute);
+    if (reached_.empty()) candidates_ = count_vertices(surface_);
     if (options_.refuse_piercing && !piercing_) piercing_ = std::make_unique<Piercing>(mesh_, surface_);
     Reduction reduction;
     reduction.report = begin_report_within(bounds);
@@ -105,6 +106,7 @@ Report ReductionRun::begin_report_within(const std::vector<ResolvedBound>& bound
     Report report = begin_report(mesh_, bounds, oddities_);
     report.non_manifold_vertices = surface_.non_manifold_vertices();
     report.dropped = dropped_;
+    report.candidates = candidates_;
     report.unmet_boxes = unmet_boxes_;
     return report;
 }

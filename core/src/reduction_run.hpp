@@ -82,7 +82,7 @@ private:
     std::unique_ptr<Rows> rows_;
     std::unique_ptr<Accounting> accounting_;
     std::unique_ptr<OriginalNormals> normals_;
-    std::size_t turned_before_ = 0;
+    std::size_t turned_before_ = 0, candidates_ = 0;
     std::unique_ptr<Piercing> piercing_; // where piercing is refused
     std::vector<ResolvedBound> reached_; // the bounds of the last call; empty before the first
     bool ends_ = false;                  // no call follows

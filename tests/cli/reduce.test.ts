@@ -67,6 +67,7 @@ test('the report has the documented shape', async () => {
   expect(report).toEqual({
     triangles: { before: 512, after: (await folder.read('out.vtp')).mesh.triangles.length / 3 },
     orientation: { turnedTriangles: 0, unorientableParts: 0 },
+    coincident: { copiedTriangles: 0, twoSidedTriangles: 0 },
     nonManifoldVertices: 0,
     seams: { points: 0, touching: 0 },
     map: { cells: number, foldedCells: number },
