@@ -214,9 +214,11 @@ TEST_P(DoubleSided, BothSidesAreReducedAsOneWouldBe) {
 
 TEST_P(DoubleSided, PointsOfTheirOwnAndSharedOnesAgree) {
     const Reduction shared = reduce(with_backs(bumpy(48))), apart = reduce(with_backs_apart(bumpy(48)));
-    const auto more = static_cast<double>(shared.mesh.triangles.size());
+    // With points of its own each side keeps the rim within bounds on its own account, so a few more triangles stay.
+    const auto one = static_cast<double>(shared.mesh.triangles.size());
     const auto own = static_cast<double>(apart.mesh.triangles.size());
-    EXPECT_LT(std::abs(more - own), 0.1 * own) << more << ", " << own;
+    EXPECT_LE(one, own);
+    EXPECT_GE(one, 0.8 * own);
 }
 
 TEST_P(DoubleSided, TheErrorsOfTheBackAreThoseOfTheFrontFromTheOtherSide) {

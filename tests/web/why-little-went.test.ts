@@ -39,19 +39,15 @@ function report(after: number, byBound: number, refused: Partial<Report['refused
 }
 
 describe('why little went', () => {
-  test.each<Reason>([
-    'nonManifold',
-    'locked',
-    'ring',
-    'topology',
-    'fold',
-    'piercing',
-  ])('names what kept most: %s', (reason) => {
-    const held = report(80, 16, { locked: 1, fold: 1, [reason]: 62 });
-    const why = whyLittleWent(held);
-    expect(why?.reason).toBe(reason);
-    expect(promiseSentence(held, true)).toContain('Why so little went: ');
-  });
+  test.each<Reason>(['nonManifold', 'locked', 'ring', 'topology', 'fold', 'piercing'])(
+    'names what kept most: %s',
+    (reason) => {
+      const held = report(80, 16, { locked: 1, fold: 1, [reason]: 62 });
+      const why = whyLittleWent(held);
+      expect(why?.reason).toBe(reason);
+      expect(promiseSentence(held, true)).toContain('Why so little went: ');
+    },
+  );
 
   test('says its share of the vertices that are left', () => {
     expect(whyLittleWent(report(100, 22, { nonManifold: 78 }))).toEqual({ reason: 'nonManifold', share: 0.78 });
