@@ -208,6 +208,8 @@ Oddities oddities_from(const val& oddities) {
     result.unused_vertices = count_from(oddities["unusedVertices"]);
     result.turned_triangles = count_from(oddities["turnedTriangles"]);
     result.unorientable_parts = count_from(oddities["unorientableParts"]);
+    result.copied_triangles = count_from(oddities["copiedTriangles"]);
+    result.two_sided_triangles = count_from(oddities["twoSidedTriangles"]);
     if (const val triangle = oddities["unorientableTriangle"]; triangle.isNumber()) {
         result.unorientable_triangle = count_from(triangle);
     }
@@ -219,6 +221,7 @@ Report report_from(const val& report) {
     Report result;
     result.triangles_before = count_from(part_of(report, "triangles")["before"]);
     result.vertices_before = count_from(part_of(report, "vertices")["before"]);
+    result.candidates = count_from(report["candidates"]);
     result.variables = list_in<VariableReport>(report, "variables", variable_report_from);
     result.oddities = oddities_from(part_of(report, "oddities"));
     const val dropped = part_of(report, "dropped");

@@ -156,7 +156,9 @@ val oddities_to(const Oddities& oddities) {
                         field("zeroAreaTriangles", number(oddities.zero_area_triangles)),
                         field("unusedVertices", number(oddities.unused_vertices)),
                         field("turnedTriangles", number(oddities.turned_triangles)),
-                        field("unorientableParts", number(oddities.unorientable_parts)));
+                        field("unorientableParts", number(oddities.unorientable_parts)),
+                        field("copiedTriangles", number(oddities.copied_triangles)),
+                        field("twoSidedTriangles", number(oddities.two_sided_triangles)));
     if (oddities.unorientable_triangle) {
         result.set("unorientableTriangle", number(*oddities.unorientable_triangle));
     }
@@ -164,7 +166,8 @@ val oddities_to(const Oddities& oddities) {
 }
 
 val refusals_to(const Refusals& refused) {
-    return object(field("fixed", number(refused.fixed)), field("topology", number(refused.topology)),
+    return object(field("nonManifold", number(refused.non_manifold)), field("locked", number(refused.locked)),
+                  field("ring", number(refused.ring)), field("topology", number(refused.topology)),
                   field("fold", number(refused.fold)), field("piercing", number(refused.piercing)));
 }
 
@@ -188,7 +191,8 @@ val report_to(const Report& report, double seconds) {
         object(field("triangles", before_after(report.triangles_before, report.triangles_after)),
                field("vertices", before_after(report.vertices_before, report.vertices_after)),
                field("variables", list_to(report.variables, variable_report_to)),
-               field("refused", refusals_to(report.refused)), field("oddities", oddities_to(report.oddities)),
+               field("candidates", number(report.candidates)), field("refused", refusals_to(report.refused)),
+               field("oddities", oddities_to(report.oddities)),
                field("dropped", object(field("parts", number(report.dropped.parts)),
                                        field("triangles", number(report.dropped.triangles)))),
                field("unmetBoxes", list_to(report.unmet_boxes, number)),

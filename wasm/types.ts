@@ -132,7 +132,25 @@ export interface Report {
   vertices: { before: number; after: number };
   /** Position first, then the mesh's variables in their order. */
   variables: VariableReport[];
-  refused: { fixed: number; topology: number; fold: number; piercing: number };
+  /**
+   * Vertices of the input that were there to go, locked ones too: all that triangles use, but for those of parts that were left
+   * out.
+   */
+  candidates: number;
+  /** Why vertices that are left could not go, besides the bounds. Each counts once, for the first of these reasons. */
+  refused: {
+    /** Where curves meet or end (edges of three or more triangles, borders of regions, seams), or in a bow-tie. */
+    nonManifold: number;
+    locked: number;
+    /** More than 48 neighbours. */
+    ring: number;
+    /** Without it the surface would be another one: an edge there already, a tetrahedron, the last loop. */
+    topology: number;
+    /** Whatever takes its place folds, or turns away from the surface. */
+    fold: number;
+    /** What takes its place would pierce another part (`refusePiercing`). */
+    piercing: number;
+  };
   oddities: {
     repeatedVertexTriangles: number;
     zeroAreaTriangles: number;
@@ -142,6 +160,10 @@ export interface Report {
     /** Parts without two sides (a Möbius band), oriented up to a line across them, and the first triangle of the first of them. */
     unorientableParts: number;
     unorientableTriangle?: number;
+    /** Triangles on the three vertices of an earlier one that face the same way: left out of the result. */
+    copiedTriangles: number;
+    /** Pairs of triangles on the same three vertices that face opposite ways: two sides of a sheet, reduced together. */
+    twoSidedTriangles: number;
   };
   /** Parts of the surface that were left out, see `ReduceOptions.dropSmallParts`. */
   dropped: { parts: number; triangles: number };

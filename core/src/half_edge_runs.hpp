@@ -47,4 +47,26 @@ private:
     std::vector<std::uint32_t> start_, sorted_; // by lower vertex
 };
 
+/// Finds edges at which triangles are on the same three vertices.
+class CoincidenceSearch {
+public:
+    explicit CoincidenceSearch(const std::vector<std::uint32_t>& origin) : origin_(origin) {}
+
+    /// Whether two of the triangles at an edge have the same corner opposite to it.
+    bool finds(const std::uint32_t* run, std::size_t count) {
+        if (count < 2) return false;
+        if (count == 2) return opposite(run[0]) == opposite(run[1]);
+        opposite_.clear();
+        for (std::size_t i = 0; i < count; ++i) opposite_.push_back(opposite(run[i]));
+        std::sort(opposite_.begin(), opposite_.end());
+        return std::adjacent_find(opposite_.begin(), opposite_.end()) != opposite_.end();
+    }
+
+private:
+    std::uint32_t opposite(std::uint32_t h) const { return origin_[h % 3 == 0 ? h + 2 : h - 1]; }
+
+    const std::vector<std::uint32_t>& origin_;
+    std::vector<std::uint32_t> opposite_; // of the last edge with more than two triangles
+};
+
 } // namespace meshbound

@@ -49,7 +49,7 @@ bool Legality::enter(const Surface& surface, const Rows& rows, const Hole& hole)
 }
 
 bool Legality::removable(const Surface& surface, const Hole& hole) const {
-    if (hole.size() < 3 || hole.size() > largest_ring) return false;
+    if (hole.size() < 3) return false;
     if (hole.size() > 3 || hole.open) return true;
     for (int rim = 0; rim < 3; ++rim) { // a ring of three: does its triangle exist on the other side?
         const std::uint32_t across = surface.twin(hole.rims[at(rim)]);

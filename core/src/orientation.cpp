@@ -19,7 +19,8 @@ struct Neighbour {
 
 /// The neighbours across edges of just two triangles, by half-edge. A triangle with a vertex twice is no surface, and has
 /// none.
-std::vector<Neighbour> find_neighbours(const std::vector<glm::uvec3>& triangles, std::size_t vertices) {
+std::vector<Neighbour> find_neighbours(const std::vector<glm::uvec3>& triangles, std::size_t vertices,
+                                       const std::vector<char>& two_sided) {
     std::vector<std::uint32_t> origin, proper; // the proper triangles among all
     origin.reserve(3 * triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -31,6 +32,7 @@ std::vector<Neighbour> find_neighbours(const std::vector<glm::uvec3>& triangles,
     std::vector<Neighbour> neighbours(3 * triangles.size());
     HalfEdgeRuns(origin, vertices).for_each_edge([&](const std::uint32_t* run, std::size_t count) {
         if (count != 2) return;
+        if (!two_sided.empty() && two_sided[proper[run[0] / 3]] != two_sided[proper[run[1] / 3]]) return;
         const bool discordant = origin[run[0]] == origin[run[1]];
         for (const int i : {0, 1})
             neighbours[3 * std::size_t{proper[run[i] / 3]} + run[i] % 3] = {proper[run[1 - i] / 3], discordant};
@@ -99,14 +101,15 @@ private:
 
 } // namespace
 
-Orientation orient(const std::vector<glm::uvec3>& triangles, std::size_t vertices) {
+Orientation orient(const std::vector<glm::uvec3>& triangles, std::size_t vertices, const std::vector<char>& two_sided) {
     Orientation result{triangles};
-    Walk walk(find_neighbours(triangles, vertices));
+    Walk walk(find_neighbours(triangles, vertices, two_sided));
     for (std::uint32_t first = 0; first < triangles.size(); ++first) {
         if (walk.seen(first)) continue;
         const std::vector<std::uint32_t>& part = walk.part_of(first);
+        const bool counts = two_sided.empty() || !two_sided[first];
         if (!walk.orientable()) {
-            if (result.unorientable_parts++ == 0) result.unorientable_triangle = first;
+            if (counts && result.unorientable_parts++ == 0) result.unorientable_triangle = first;
             if (const Walk::Discord discord = walk.discord(); discord.left >= discord.given) continue;
         }
         std::size_t away = 0;
@@ -115,7 +118,7 @@ Orientation orient(const std::vector<glm::uvec3>& triangles, std::size_t vertice
         for (const std::uint32_t triangle : part) {
             if (walk.away(triangle) != turn_away) continue;
             std::swap(result.triangles[triangle].y, result.triangles[triangle].z);
-            ++result.turned;
+            result.turned += counts;
         }
     }
     return result;

@@ -20,7 +20,9 @@ struct Orientation {
 /// Orients a mesh part by part; a part is what hangs together over edges of just two triangles. Within a part those
 /// triangles are turned that are fewer. Where there is no consistent orientation, neighbours agree but across a line on which
 /// the walk over the part closes; unless they agree better as they are given.
-Orientation orient(const std::vector<glm::uvec3>& triangles, std::size_t vertices);
+/// `two_sided`, where given: which triangles face both ways. They are a part of their own, and of them nothing is counted.
+Orientation orient(const std::vector<glm::uvec3>& triangles, std::size_t vertices,
+                   const std::vector<char>& two_sided = {});
 
 /// What there is to tell of it.
 void note_turned(const Orientation& orientation, Oddities& oddities);

@@ -15,14 +15,14 @@ using Corners = std::array<std::uint32_t, 3>;
 /// A direction as the longest vector of whole numbers that fits.
 glm::i16vec3 whole_numbers(const glm::dvec3& unit) { return glm::i16vec3(glm::floor(32767.0 * unit + 0.5)); }
 
-/// Calls `visit` with the corners of each triangle and its area vector.
+/// Calls `visit` with each triangle, its corners and its area vector.
 template <class Visit>
 void for_each_triangle(const Surface& surface, const Rows& rows, Visit visit) {
     for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
         if (!surface.alive(slot)) continue;
         const Corners corners = {surface.origin(3 * slot), surface.origin(3 * slot + 1), surface.origin(3 * slot + 2)};
         const glm::dvec3 first = rows.position(corners[0]);
-        visit(corners, glm::cross(rows.position(corners[1]) - first, rows.position(corners[2]) - first));
+        visit(slot, corners, glm::cross(rows.position(corners[1]) - first, rows.position(corners[2]) - first));
     }
 }
 
@@ -30,7 +30,7 @@ void for_each_triangle(const Surface& surface, const Rows& rows, Visit visit) {
 
 OriginalNormals::OriginalNormals(const Surface& surface, const Rows& rows) {
     std::vector<glm::dvec3> vectors(surface.vertex_count(), glm::dvec3(0));
-    for_each_triangle(surface, rows, [&](const Corners& corners, const glm::dvec3& vector) {
+    for_each_triangle(surface, rows, [&](std::uint32_t, const Corners& corners, const glm::dvec3& vector) {
         for (const std::uint32_t corner : corners) vectors[corner] += vector;
     });
     normals_.reserve(vectors.size());
@@ -38,7 +38,7 @@ OriginalNormals::OriginalNormals(const Surface& surface, const Rows& rows) {
         const double length = glm::length(vector);
         normals_.push_back(length > 0 ? whole_numbers(vector / length) : glm::i16vec3(0));
     }
-    for_each_triangle(surface, rows, [&](const Corners& corners, const glm::dvec3& vector) {
+    for_each_triangle(surface, rows, [&](std::uint32_t, const Corners& corners, const glm::dvec3& vector) {
         const glm::dvec3 mean = sum(corners);
         const double product = glm::dot(mean, vector);
         if (!(product < 0)) return;
@@ -63,10 +63,11 @@ double OriginalNormals::least_cosine(const Corners& corners) const {
     return std::min({least_cosine(corners[0]), least_cosine(corners[1]), least_cosine(corners[2])});
 }
 
-std::size_t OriginalNormals::count_turned(const Surface& surface, const Rows& rows) const {
+std::size_t OriginalNormals::count_turned(const Surface& surface, const Rows& rows,
+                                          const std::function<std::size_t(std::uint32_t)>& sides) const {
     std::size_t count = 0;
-    for_each_triangle(surface, rows, [&](const Corners& corners, const glm::dvec3& vector) {
-        count += glm::dot(sum(corners), vector) < 0;
+    for_each_triangle(surface, rows, [&](std::uint32_t slot, const Corners& corners, const glm::dvec3& vector) {
+        if (glm::dot(sum(corners), vector) < 0) count += sides(slot);
     });
     return count;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <glm/gtc/type_precision.hpp>
@@ -28,8 +29,9 @@ public:
     /// right angle.
     double least_cosine(const std::array<std::uint32_t, 3>& corners) const;
 
-    /// How many triangles of a surface over the same vertices turn more than a right angle.
-    std::size_t count_turned(const Surface& surface, const Rows& rows) const;
+    /// How many triangles of a surface over the same vertices turn more than a right angle; each counts `sides(triangle)` times.
+    std::size_t count_turned(const Surface& surface, const Rows& rows,
+                             const std::function<std::size_t(std::uint32_t)>& sides) const;
 
 private:
     glm::dvec3 sum(const std::array<std::uint32_t, 3>& corners) const {

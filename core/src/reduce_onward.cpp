@@ -106,6 +106,7 @@ void join_reports(const Report& before, const std::vector<ResolvedBound>& bounds
     report.vertices_before = before.vertices_before;
     report.oddities = before.oddities;
     report.dropped = before.dropped;
+    report.candidates = before.candidates;
     report.non_manifold_vertices = before.non_manifold_vertices;
     report.turned_before = report.turned_after = 0;
     report.regions = join_regions(before.regions, report.regions);

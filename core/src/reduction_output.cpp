@@ -93,7 +93,7 @@ Renaming extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduc
         renamed.triangle[slot] = static_cast<std::uint32_t>(reduction.mesh.triangles.size());
         const auto corner = [&](std::uint32_t i) { return renamed.vertex[surface.origin(3 * slot + i)]; };
         reduction.mesh.triangles.push_back({corner(0), corner(1), corner(2)});
-        if (!mesh.regions.empty()) reduction.mesh.regions.push_back(surface.region(slot));
+        if (surface.has_regions()) reduction.mesh.regions.push_back(surface.region(slot));
     }
     reduction.mesh.position = gather(mesh.position, reduction.vertices);
     for (const Variable& variable : mesh.variables)
@@ -122,15 +122,27 @@ void count_refusals(const Surface& surface, const Sweeper& sweeper, Report& repo
         if (surface.kind(vertex) == VertexKind::absent || surface.first_copy(surface.input(vertex)) != vertex) continue;
         const std::uint32_t site = surface.site(vertex);
         if (!sweeper.is_candidate(site)) {
-            ++report.refused.fixed;
+            ++(surface.is_free(site) ? report.refused.locked : report.refused.non_manifold);
             continue;
         }
         const Verdict& verdict = sweeper.verdict(site);
+        if (verdict.refusal == Refusal::ring) ++report.refused.ring;
         if (verdict.refusal == Refusal::topology) ++report.refused.topology;
         if (verdict.refusal == Refusal::fold) ++report.refused.fold;
         if (verdict.refusal == Refusal::piercing) ++report.refused.piercing;
         if (verdict.refusal == Refusal::bound) ++report.variables[verdict.variable].refused;
     }
+}
+
+std::size_t count_vertices(const Surface& surface) {
+    std::size_t count = 0;
+    std::uint32_t last = no_index; // copies are neighbours in the numbering
+    for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
+        if (surface.kind(vertex) == VertexKind::absent || surface.input(vertex) == last) continue;
+        last = surface.input(vertex);
+        ++count;
+    }
+    return count;
 }
 
 void report_limits(const Multipliers& multipliers, Report& report) {

@@ -31,6 +31,9 @@ void extract_errors(const Surface& surface, const Rows& rows, const Accounting& 
 /// Why each vertex that is still there could not go.
 void count_refusals(const Surface& surface, const Sweeper& sweeper, Report& report);
 
+/// How many vertices of the input are still there.
+std::size_t count_vertices(const Surface& surface);
+
 /// A cancelled result says of its errors what the sweeps made sure of, without looking at every triangle.
 void report_limits(const Multipliers& multipliers, Report& report);
 

@@ -51,7 +51,8 @@ std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& 
 ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities, Ticker& ticker)
     : mesh_(mesh), options_(options), oddities_(oddities), ticker_(ticker), team_(threads_to_use(options)),
       unmet_boxes_(unmet_boxes(mesh, options)), surface_(mesh.triangles, vertex_count(mesh), mesh.regions) {
-    if (surface_.discordant_edges() > 0) orient_surface();
+    if (surface_.has_coincident_triangles()) take_one_side();
+    else if (surface_.discordant_edges() > 0) orient_surface();
     surface_.join_sites(find_seams(mesh, surface_));
 }
 
@@ -63,22 +64,40 @@ void ReductionRun::orient_surface() {
     surface_ = Surface(oriented_, vertex_count(mesh_), mesh_.regions);
 }
 
+void ReductionRun::take_one_side() {
+    one_sided_ = std::make_unique<OneSided>(mesh_, OneSided::Turning::as_reduced, side_labels_);
+    one_sided_->note(oddities_);
+    const Mesh& shape = one_sided_->shape();
+    surface_ = Surface(shape.triangles, vertex_count(mesh_), shape.regions);
+}
+
 /// Before anything is removed; later levels keep what the first one kept.
 void ReductionRun::drop_small_parts(double bound) {
     if (!options_.drop_small_parts || !reached_.empty()) return;
     const Multipliers multipliers(find_focus(mesh_, options_));
     const std::vector<std::uint32_t> kept = locked_vertices(mesh_, options_);
     dropped_ = meshbound::drop_small_parts(mesh_, bound, multipliers, kept, surface_);
+    dropped_.triangles += dropped_backs();
+}
+
+/// Of the triangles that were dropped, before any was removed, those with another side.
+std::size_t ReductionRun::dropped_backs() const {
+    std::size_t count = 0;
+    for (std::uint32_t slot = 0; one_sided_ && slot < surface_.slot_count(); ++slot)
+        count += !surface_.alive(slot) && side_labels_.two_sided(surface_.region(slot));
+    return count;
 }
 
 Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span,
                                       LevelLink* link) {
     drop_small_parts(bounds[0].absolute);
+    if (reached_.empty()) candidates_ = count_vertices(surface_);
     if (options_.refuse_piercing && !piercing_) piercing_ = std::make_unique<Piercing>(mesh_, surface_);
     Reduction reduction;
     reduction.report = begin_report_within(bounds);
     if (ticker_.ask()) sweep_and_report(bounds, reduction, span, link);
     if (ticker_.cancelled()) report_cancelled(reduction);
+    give_out(reduction, link);
     report_what_is_left(reduction);
     return reduction;
 }
@@ -87,14 +106,23 @@ Report ReductionRun::begin_report_within(const std::vector<ResolvedBound>& bound
     Report report = begin_report(mesh_, bounds, oddities_);
     report.non_manifold_vertices = surface_.non_manifold_vertices();
     report.dropped = dropped_;
+    report.candidates = candidates_;
     report.unmet_boxes = unmet_boxes_;
     return report;
+}
+
+/// Up to here the reduction was one of the surface, whose sheets have one side each.
+void ReductionRun::give_out(Reduction& reduction, LevelLink* link) const {
+    if (one_sided_) give_out_both_sides(side_labels_, !mesh_.regions.empty(), reduction, link ? &link->map : nullptr);
 }
 
 void ReductionRun::report_what_is_left(Reduction& reduction) const {
     reduction.report.triangles_after = reduction.mesh.triangles.size();
     reduction.report.vertices_after = reduction.vertices.size();
-    if (!mesh_.regions.empty()) reduction.report.regions = report_regions(mesh_, reduction.mesh);
+    if (!mesh_.regions.empty()) {
+        const std::vector<std::uint32_t> copies = one_sided_ ? one_sided_->copies() : std::vector<std::uint32_t>();
+        reduction.report.regions = report_regions(mesh_, copies, reduction.mesh);
+    }
 }
 
 Reduction ReductionRun::end_within(const std::vector<ResolvedBound>& bounds, Waypoint* waypoint) {
@@ -108,7 +136,7 @@ Reduction ReductionRun::end_without_map(const std::vector<ResolvedBound>& bounds
     return end_within(bounds);
 }
 
-/// What the surface was made from, without its variables.
+/// What the surface was made from where triangles were turned, without its variables.
 Mesh ReductionRun::oriented_shape() const {
     Mesh shape;
     shape.position = mesh_.position;
@@ -125,11 +153,18 @@ void ReductionRun::set_bounds(const std::vector<ResolvedBound>& bounds) {
     rows_ = std::move(rows);
 }
 
+/// A triangle with two sides is two.
+std::size_t ReductionRun::count_turned() const {
+    return normals_->count_turned(surface_, *rows_, [this](std::uint32_t slot) {
+        return one_sided_ && side_labels_.two_sided(surface_.region(slot)) ? 2 : 1;
+    });
+}
+
 /// Before anything is removed.
 void ReductionRun::look_at_original() {
     if (normals_) return;
     normals_ = std::make_unique<OriginalNormals>(surface_, *rows_);
-    turned_before_ = normals_->count_turned(surface_, *rows_);
+    turned_before_ = count_turned();
 }
 
 /// The sweeps, but for those whose limits lie within bounds that were reached before: they would find nothing.
@@ -169,7 +204,7 @@ bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, Accounting& a
     if (!sweeper.sweep(limits, ticker_, span.start, swept, pass_waypoint)) return false;
     count_refusals(surface_, sweeper, report);
     report.turned_before = turned_before_;
-    report.turned_after = normals_->count_turned(surface_, *rows_);
+    report.turned_after = count_turned();
     return true;
 }
 
@@ -180,6 +215,7 @@ Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds) {
     here.report.stopped = Stopped::on_the_way;
     extract_mesh(mesh_, surface_, here);
     extract_errors(surface_, *rows_, *accounting_, here, team_, ticker_);
+    give_out(here, nullptr);
     report_what_is_left(here);
     return {std::move(here.mesh), std::move(here.vertices), std::move(here.report)};
 }
@@ -213,7 +249,9 @@ void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking*
 
 void ReductionRun::count_folds(Reduction& reduction) {
     const Mesh oriented = oriented_.empty() ? Mesh{} : oriented_shape();
-    const Folds folds = meshbound::count_folds({oriented_.empty() ? mesh_ : oriented, reduction}, team_, ticker_);
+    const Mesh& shape = one_sided_ ? one_sided_->shape() : oriented_.empty() ? mesh_ : oriented;
+    const Folds folds =
+        meshbound::count_folds({shape, reduction}, one_sided_ ? one_sided_->sides() : Sides(), team_, ticker_);
     reduction.report.cells = folds.cells;
     reduction.report.folded_cells = folds.folded_cells;
 }

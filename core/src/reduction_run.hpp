@@ -7,6 +7,7 @@
 #include "linked_tracking.hpp"
 #include "meshbound/level_link.hpp"
 #include "meshbound/reduce.hpp"
+#include "one_sided.hpp"
 #include "original_normals.hpp"
 #include "piercing.hpp"
 #include "rows.hpp"
@@ -45,7 +46,10 @@ public:
 
 private:
     void orient_surface();
+    void take_one_side();
     void drop_small_parts(double bound);
+    std::size_t dropped_backs() const;
+    std::size_t count_turned() const;
     Mesh oriented_shape() const;
     void look_at_original();
     void set_bounds(const std::vector<ResolvedBound>& bounds);
@@ -57,6 +61,7 @@ private:
     void sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction, const ProgressSpan& span,
                           LevelLink* link);
     Report begin_report_within(const std::vector<ResolvedBound>& bounds) const;
+    void give_out(Reduction& reduction, LevelLink* link) const;
     void report_what_is_left(Reduction& reduction) const;
     void report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link);
     void count_folds(Reduction& reduction);
@@ -69,12 +74,15 @@ private:
     Team team_;
     std::vector<std::size_t> unmet_boxes_;
     Surface surface_;
+    SideLabels side_labels_;
+    std::unique_ptr<OneSided>
+        one_sided_;                    // where triangles are on the same three vertices: what the surface is made from
     std::vector<glm::uvec3> oriented_; // the input's triangles where some were turned; empty else
     DroppedParts dropped_;
     std::unique_ptr<Rows> rows_;
     std::unique_ptr<Accounting> accounting_;
     std::unique_ptr<OriginalNormals> normals_;
-    std::size_t turned_before_ = 0;
+    std::size_t turned_before_ = 0, candidates_ = 0;
     std::unique_ptr<Piercing> piercing_; // where piercing is refused
     std::vector<ResolvedBound> reached_; // the bounds of the last call; empty before the first
     bool ends_ = false;                  // no call follows

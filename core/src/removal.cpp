@@ -20,6 +20,7 @@ Removal::Removal(Surface& surface, const Rows& rows, Accounting& accounting, con
 Verdict Removal::attempt(std::uint32_t candidate, double squared_limit, Effort effort) {
     count_ = 0;
     surface_.for_each_in_site(candidate, [this](std::uint32_t vertex) { open(vertex); });
+    if (has_large_ring()) return {Refusal::ring};
     if (!enter()) return {Refusal::topology};
     if (count_ > 1) joined_.front()->join(joined_, squared_limit);
     if (!triangulate()) return {Refusal::fold};
@@ -41,6 +42,11 @@ void Removal::open(std::uint32_t vertex) {
     Part& part = *parts_[count_++];
     gather_star(surface_, vertex, part.hole);
     lay_out(rows_, part.hole);
+}
+
+bool Removal::has_large_ring() const {
+    return std::any_of(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(count_),
+                       [](const auto& part) { return part->hole.size() > largest_ring; });
 }
 
 bool Removal::enter() {

@@ -19,7 +19,8 @@ namespace meshbound {
 /// Why a candidate is still there.
 enum class Refusal : std::uint8_t {
     none,     ///< it was removed, or not looked at yet
-    topology, ///< §3.2.3, or too large a ring
+    ring,     ///< too large a ring
+    topology, ///< §3.2.3
     fold,     ///< no retriangulation without a fold
     piercing, ///< what stays within the bounds would pierce another lobe
     bound,    ///< a bound would break
@@ -88,6 +89,7 @@ private:
     };
     void open(std::uint32_t vertex);
     bool enter();
+    bool has_large_ring() const;
     bool would_change_slits() const;
     bool triangulate();
     Trial try_part(Part& part, double squared_limit, Effort effort);

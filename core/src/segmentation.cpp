@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "both_sides.hpp"
 #include "check_map.hpp"
 #include "orientation.hpp"
 #include "oriented_segmentation.hpp"
@@ -45,9 +46,12 @@ double area(const Mesh& mesh, const glm::uvec3& triangle) {
     return glm::length(glm::cross(point(1) - point(0), point(2) - point(0))) / 2;
 }
 
-double area(const Mesh& mesh) {
+std::size_t sides_of(const Sides& sides, std::size_t triangle) { return sides.empty() ? 1 : sides[triangle]; }
+
+double area(const Mesh& mesh, const Sides& sides) {
     double sum = 0;
-    for (const glm::uvec3& triangle : mesh.triangles) sum += area(mesh, triangle);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        sum += static_cast<double>(sides_of(sides, t)) * area(mesh, mesh.triangles[t]);
     return sum;
 }
 
@@ -58,10 +62,11 @@ bool lies_inside(const CellPlace& corner) {
 
 /// Two surfaces, prepared for being looked up in; by several threads, too.
 struct Prepared {
-    explicit Prepared(const MappedSurfaces& mapped)
-        : surfaces(mapped), faces(mapped.reduced), outlines(mapped, faces) {}
+    Prepared(const MappedSurfaces& mapped, const Sides& of_original)
+        : surfaces(mapped), sides(of_original), faces(mapped.reduced), outlines(mapped, faces) {}
 
     const MappedSurfaces& surfaces;
+    const Sides& sides; // of the original's triangles
     const Faces faces;
     const Outlines outlines;
 };
@@ -70,7 +75,7 @@ struct Prepared {
 class Segmenter {
 public:
     explicit Segmenter(const Prepared& prepared)
-        : surfaces_(prepared.surfaces), outlines_(prepared.outlines),
+        : surfaces_(prepared.surfaces), sides_(prepared.sides), outlines_(prepared.outlines),
           cutter_(prepared.faces, prepared.surfaces.original.regions) {}
 
     /// Adds the cells and pieces of a triangle, and what of them is folded (areas in the unit of the surfaces'). False where a
@@ -81,6 +86,7 @@ private:
     bool cut_into_pieces(SegmentationCell& cell, Segmentation& segmentation);
 
     const MappedSurfaces& surfaces_;
+    const Sides& sides_;
     const Outlines& outlines_;
     CellCutter cutter_;
     Outline outline_;
@@ -109,31 +115,32 @@ bool Segmenter::cut_into_pieces(SegmentationCell& cell, Segmentation& segmentati
         places_.push_back(
             {place_in_original(surfaces_, cell, corners[i]), place_in_reduced(surfaces_, cell, corners[i])});
     if (!std::all_of(places_.begin(), places_.end(), lies_inside)) return false;
-    const std::size_t folded_before = segmentation.folded_pieces;
+    const std::size_t folded_before = segmentation.folded_pieces, sides = sides_of(sides_, cell.original);
+    const auto both = static_cast<double>(sides);
     triangulation_.for_each_piece(places_, [&](std::size_t i, std::size_t j, std::size_t k) {
         segmentation.pieces.push_back({corners[i], corners[j], corners[k]});
         const PieceShares shares = piece_shares(places_[i], places_[j], places_[k]);
         if (!shares.folded()) return;
         const Mesh &original = surfaces_.original, &reduced = surfaces_.reduced;
-        ++segmentation.folded_pieces;
-        segmentation.folded_original += shares.original * area(original, original.triangles[cell.original]);
-        segmentation.folded_reduced -= shares.reduced * area(reduced, reduced.triangles[cell.reduced]);
+        segmentation.folded_pieces += sides;
+        segmentation.folded_original += both * shares.original * area(original, original.triangles[cell.original]);
+        segmentation.folded_reduced -= both * shares.reduced * area(reduced, reduced.triangles[cell.reduced]);
     });
-    if (segmentation.folded_pieces > folded_before) ++segmentation.folded_cells;
+    if (segmentation.folded_pieces > folded_before) segmentation.folded_cells += sides;
     return true;
 }
 
 /// Counts folds in one original triangle after the other.
 class FoldCounter {
 public:
-    explicit FoldCounter(const Prepared& prepared) : segmenter_(prepared) {}
+    explicit FoldCounter(const Prepared& prepared) : segmenter_(prepared), sides_(prepared.sides) {}
 
     void add(std::uint32_t triangle) {
         here_.cells.clear();
         here_.corners.clear();
         here_.pieces.clear();
         segmenter_.add(triangle, here_); // fits: the map is what the reduction made
-        cells_ += here_.cells.size();
+        cells_ += sides_of(sides_, triangle) * here_.cells.size();
     }
 
     void add_to(Folds& folds) const {
@@ -143,6 +150,7 @@ public:
 
 private:
     Segmenter segmenter_;
+    const Sides& sides_;
     Segmentation here_; // of the last triangle; its numbers of folds are of all
     std::size_t cells_ = 0;
 };
@@ -154,10 +162,16 @@ Status does_not_fit(std::uint32_t triangle) {
             "", triangle};
 }
 
+/// Whose triangles lie on the same three vertices nowhere; how many sides they have is said apart.
+struct SidesOfBoth {
+    Sides original, reduced;
+};
+
 /// Of an original whose triangles agree already which side is the front one, and of a map that passed check_map.
-Status segment_oriented(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
+Status segment_oriented(const MappedSurfaces& surfaces, const SidesOfBoth& sides, Segmentation& segmentation,
+                        const Progress& progress) {
     segmentation = {};
-    const Prepared prepared(surfaces);
+    const Prepared prepared(surfaces, sides.original);
     Segmenter segmenter(prepared);
     Ticker ticker(progress);
     const std::size_t triangles = surfaces.original.triangles.size();
@@ -167,20 +181,39 @@ Status segment_oriented(const MappedSurfaces& surfaces, Segmentation& segmentati
         segmentation = {};
         return {};
     }
-    if (segmentation.folded_original > 0) segmentation.folded_original /= area(surfaces.original);
-    if (segmentation.folded_reduced > 0) segmentation.folded_reduced /= area(surfaces.reduced);
+    if (segmentation.folded_original > 0) segmentation.folded_original /= area(surfaces.original, sides.original);
+    if (segmentation.folded_reduced > 0) segmentation.folded_reduced /= area(surfaces.reduced, sides.reduced);
     return check_crossings_met(surfaces, segmentation);
 }
 
 /// The map is of the triangles as `reduce` turned them.
 Status segment_turned(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
     Orientation orientation = orient(surfaces.original.triangles, vertex_count(surfaces.original));
-    if (orientation.turned == 0) return segment_oriented(surfaces, segmentation, progress);
+    if (orientation.turned == 0) return segment_oriented(surfaces, {}, segmentation, progress);
     Mesh turned;
     turned.position = surfaces.original.position;
     turned.triangles = std::move(orientation.triangles);
     turned.regions = surfaces.original.regions;
-    return segment_oriented({turned, surfaces}, segmentation, progress);
+    return segment_oriented({turned, surfaces}, {}, segmentation, progress);
+}
+
+/// The map is of one sheet, where `reduce` found triangles on the same three vertices.
+Status segment_both_sides(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
+    const OneSidedPair sheets(surfaces);
+    if (Status status = check_map(sheets.surfaces()); !status.ok()) return status;
+    const SidesOfBoth sides = {sheets.original().sides(), sheets.reduced().sides()};
+    Segmentation one_sided;
+    Status status = segment_oriented(sheets.surfaces(), sides, one_sided, progress);
+    if (status.ok()) segmentation = sheets.on_both_sides(one_sided);
+    else if (status.index && *status.index < sheets.original().fronts().size())
+        status = does_not_fit(sheets.original().fronts()[*status.index]);
+    return status;
+}
+
+Status segment_checked(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
+    if (has_coincident_triangles(surfaces.original) || has_coincident_triangles(surfaces.reduced))
+        return segment_both_sides(surfaces, segmentation, progress);
+    return segment_turned(surfaces, segmentation, progress);
 }
 
 /// A run of so many triangles takes a millisecond.
@@ -212,9 +245,9 @@ glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCe
     return here;
 }
 
-Folds count_folds(const MappedSurfaces& surfaces, Team& team, Ticker& ticker) {
+Folds count_folds(const MappedSurfaces& surfaces, const Sides& sides, Team& team, Ticker& ticker) {
     if (surfaces.map.places.empty()) return {};
-    const Prepared prepared(surfaces);
+    const Prepared prepared(surfaces, sides);
     team.gather();
     std::vector<FoldCounter> counters(team.size(), FoldCounter(prepared));
     const auto count = [&](std::size_t member, std::size_t triangle) {
@@ -231,7 +264,7 @@ Status segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const
         Segmentation cut;
         if (!surfaces.map.places.empty() || !surfaces.map.crossings.empty()) {
             if (Status status = check_map(surfaces); !status.ok()) return status;
-            if (Status status = segment_turned(surfaces, cut, progress); !status.ok()) return status;
+            if (Status status = segment_checked(surfaces, cut, progress); !status.ok()) return status;
         }
         segmentation = std::move(cut);
         return {};

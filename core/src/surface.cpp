@@ -31,7 +31,9 @@ Surface::Surface(const std::vector<glm::uvec3>& triangles, std::size_t vertices,
 void Surface::pair_half_edges() {
     twin_.assign(origin_.size(), no_index);
     edge_.assign(origin_.size(), no_index);
+    CoincidenceSearch coincidence(origin_);
     HalfEdgeRuns(origin_, kind_.size()).for_each_edge([&](const std::uint32_t* run, std::size_t count) {
+        has_coincident_ = has_coincident_ || coincidence.finds(run, count);
         if (count == 2 && origin(run[0]) != origin(run[1])) {
             pair(run[0], run[1]);
             return;

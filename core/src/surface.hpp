@@ -82,6 +82,8 @@ public:
     std::size_t edge_count() const { return edge_count_; }
     /// Edges that two triangles run along in the same direction, at the start.
     std::size_t discordant_edges() const { return discordant_edges_; }
+    /// Whether triangles of the input are on the same three vertices (see OneSided).
+    bool has_coincident_triangles() const { return has_coincident_; }
     /// Whether no edge is a boundary, and none is one of several sheets.
     bool is_closed() const;
     /// Vertices of the input on edges of three or more triangles or of two that disagree, and in bow-ties.
@@ -95,6 +97,7 @@ public:
     const std::vector<std::uint32_t>& inputs() const { return inputs_; }
     /// The label of a triangle; 0 where there are none. A new triangle has that of the star it fills.
     std::int32_t region(std::uint32_t slot) const { return regions_.empty() ? 0 : regions_[slot]; }
+    bool has_regions() const { return !regions_.empty(); }
 
     /// The vertex that names a site: the lowest of its vertices.
     std::uint32_t site(std::uint32_t vertex) const { return sites_.empty() ? vertex : sites_[vertex]; }
@@ -161,6 +164,7 @@ private:
     std::vector<std::uint32_t> inputs_, first_copy_;  // by vertex, by vertex of the input; empty: all are themselves
     std::vector<std::uint32_t> sites_, next_in_site_; // by vertex; empty: all sites are single vertices
     std::size_t edge_count_ = 0, discordant_edges_ = 0, non_manifold_vertices_ = 0;
+    bool has_coincident_ = false;
 };
 
 } // namespace meshbound

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "one_sided.hpp"
 #include "orientation.hpp"
 #include "removal.hpp"
 #include "repeats_vertex.hpp"
@@ -154,7 +155,9 @@ Status validate(const Mesh& mesh, Oddities* oddities) {
 }
 
 void find_turned(const Mesh& mesh, Oddities& oddities) {
-    note_turned(orient(mesh.triangles, vertex_count(mesh)), oddities);
+    if (!has_coincident_triangles(mesh)) return note_turned(orient(mesh.triangles, vertex_count(mesh)), oddities);
+    SideLabels labels;
+    OneSided(mesh, OneSided::Turning::as_reduced, labels).note(oddities);
 }
 
 } // namespace meshbound

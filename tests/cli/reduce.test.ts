@@ -67,6 +67,7 @@ test('the report has the documented shape', async () => {
   expect(report).toEqual({
     triangles: { before: 512, after: (await folder.read('out.vtp')).mesh.triangles.length / 3 },
     orientation: { turnedTriangles: 0, unorientableParts: 0 },
+    coincident: { copiedTriangles: 0, twoSidedTriangles: 0 },
     nonManifoldVertices: 0,
     seams: { points: 0, touching: 0 },
     map: { cells: number, foldedCells: number },
@@ -74,6 +75,17 @@ test('the report has the documented shape', async () => {
     dropped: { parts: 0, triangles: 0 },
     featureSize: null,
     unmetBoxes: [],
+    heldBack: {
+      candidates: number,
+      bounds: { position: number, pressure: number, velocity: number, temperature: 0 },
+      nonManifold: 0,
+      locked: 0,
+      ring: 0,
+      topology: number,
+      fold: number,
+      piercing: 0,
+      whyLittleWent: null,
+    },
     regions: [],
     vanishedRegions: [],
     variables: [
@@ -633,4 +645,31 @@ test('no part pierces another where that is refused', async () => {
   expect(await heights()).not.toContain(0.1);
   expect(await heights('--refuse-piercing')).toContain(0.1);
   expect(await heights('--limit-to-feature-size')).toContain(0.1);
+});
+
+test('says how many triangles lie on one another, and reduces both sides of a sheet together', async () => {
+  const at = (i: number) => [Math.floor(i / 3), i % 3, 0];
+  const fronts = [0, 1, 3, 4].flatMap((i) => [i, i + 3, i + 4, i, i + 4, i + 1]);
+  const backs = fronts.map((_, i) => fronts[i - (i % 3) + 2 - (i % 3)] as number);
+  const position = Float64Array.from(Array.from({ length: 9 }, (_, i) => at(i)).flat());
+  const triangles = Uint32Array.from([...fronts, ...backs, ...fronts.slice(0, 3)]);
+  await folder.save('sheet.ply', { position, triangles, variables: [] });
+  const run = await folder.run('reduce', 'sheet.ply', '-o', 'out.ply', '--report', 'sheet.json', '-b', 'position=1%');
+  expect(run).toMatchObject({ status: 0 });
+  const report = JSON.parse(folder.text('sheet.json'));
+  expect(report.triangles).toEqual({ before: 17, after: 4 });
+  expect(report.coincident).toEqual({ copiedTriangles: 1, twoSidedTriangles: 8 });
+  expect(run.stderr).toContain('8 pairs of triangles on the same three points, facing opposite ways');
+  expect(run.stderr).toContain('1 triangle is a copy of another one');
+  const inspected = await folder.run('inspect', 'sheet.ply');
+  expect(inspected.stdout + inspected.stderr).toContain('8 pairs of triangles');
+});
+
+test('says why little went where it is not the bounds', async () => {
+  const files = ['engine.vtp', '-o', 'out.vtp', '--report', 'locked.json'];
+  const run = await folder.run('reduce', ...files, ...all, '--lock-box=-1e9,-1e9,-1e9,1e9,1e9,1e9');
+  expect(run.stdout).toContain('Why so little went: 100 % of the vertices left are locked.');
+  expect(JSON.parse(folder.text('locked.json')).heldBack.whyLittleWent).toEqual({ reason: 'locked', share: 1 });
+  const bounded = await folder.run('reduce', ...files, '-b', 'position=0.0001%', '-b', '*=0.0001%');
+  expect(bounded.stdout).not.toContain('Why so little');
 });

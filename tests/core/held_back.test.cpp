@@ -110,7 +110,7 @@ TEST_P(HeldBack, NothingChangesWhereEverythingIsLocked) {
     for (std::uint32_t v = 0; v < all.size(); ++v) all[v] = v;
     const Reduction reduction = reduce(mesh, {{"*", relative(1)}}, all);
     EXPECT_TRUE(promise::same_bits(reduction.mesh, mesh));
-    EXPECT_EQ(reduction.report.refused.fixed, all.size());
+    EXPECT_EQ(reduction.report.refused.locked, all.size());
 }
 
 /// The value of variable 0 on a flat mesh above (x, y); for a place inside its outline.

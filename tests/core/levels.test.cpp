@@ -148,7 +148,8 @@ TEST_P(LevelsTest, ReportEachLevelAgainstTheOriginal) {
         EXPECT_EQ(level.report.vertices_after, level.vertices.size());
         EXPECT_EQ(level.report.stopped, Stopped::finished);
         EXPECT_EQ(level.triangle_errors.front().largest.size(), level.mesh.triangles.size());
-        std::size_t reasons = level.report.refused.fixed + level.report.refused.topology + level.report.refused.fold;
+        std::size_t reasons = level.report.refused.non_manifold + level.report.refused.locked +
+                              level.report.refused.ring + level.report.refused.topology + level.report.refused.fold;
         for (const VariableReport& variable : level.report.variables) reasons += variable.refused;
         EXPECT_EQ(reasons, level.vertices.size());
     }

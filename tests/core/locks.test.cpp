@@ -83,7 +83,7 @@ TEST_P(Locks, ABoxBesideTheSurfaceLocksNothing) {
     Mesh mesh = meshes::plane(8, 8);
     const Reduction reduction = reduce(mesh, {{{0, 0, 0.001}, {1, 1, 1}}});
     EXPECT_EQ(reduction.mesh.triangles.size(), 2U);
-    EXPECT_EQ(reduction.report.refused.fixed, 0U);
+    EXPECT_EQ(reduction.report.refused.locked, 0U);
 }
 
 TEST_P(Locks, TheReportNamesTheBoxesThatMeetNoTriangle) {

@@ -21,6 +21,8 @@ test('tells what the variables span, without reducing', async () => {
     unusedVertices: 1,
     turnedTriangles: 0,
     unorientableParts: 0,
+    copiedTriangles: 0,
+    twoSidedTriangles: 0,
   });
   expect(inspection.variables.slice(1)).toEqual([
     { name: 'density', components: 1, extent: 0, magnitude: 2, constant: true },

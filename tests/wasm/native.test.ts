@@ -98,7 +98,15 @@ function reportArrays({ report }: Reduction): [string, NumberArray][] {
   });
   const counts = [
     [triangles.before, triangles.after, vertices.before, vertices.after],
-    [refused.fixed, refused.topology, refused.fold, refused.piercing],
+    [
+      report.candidates,
+      refused.nonManifold,
+      refused.locked,
+      refused.ring,
+      refused.topology,
+      refused.fold,
+      refused.piercing,
+    ],
     [turnedAway.before, turnedAway.after],
     [oddities.repeatedVertexTriangles, oddities.zeroAreaTriangles, oddities.unusedVertices],
     [nonManifoldVertices, cells, foldedCells],

@@ -96,15 +96,28 @@ void write_map(LabelledArrays& arrays, const SurfaceMap& map) {
 
 void write_report(LabelledArrays& arrays, const Report& report) {
     const auto number = [](std::size_t count) { return static_cast<double>(count); };
-    arrays.write<double>(
-        "report:counts",
-        {number(report.triangles_before), number(report.triangles_after), number(report.vertices_before),
-         number(report.vertices_after), number(report.refused.fixed), number(report.refused.topology),
-         number(report.refused.fold), number(report.refused.piercing), number(report.turned_before),
-         number(report.turned_after), number(report.oddities.repeated_vertex_triangles),
-         number(report.oddities.zero_area_triangles), number(report.oddities.unused_vertices),
-         number(report.non_manifold_vertices), number(report.cells), number(report.folded_cells),
-         number(report.dropped.parts), number(report.dropped.triangles), report.feature_size.value_or(0)});
+    arrays.write<double>("report:counts", {number(report.triangles_before),
+                                           number(report.triangles_after),
+                                           number(report.vertices_before),
+                                           number(report.vertices_after),
+                                           number(report.candidates),
+                                           number(report.refused.non_manifold),
+                                           number(report.refused.locked),
+                                           number(report.refused.ring),
+                                           number(report.refused.topology),
+                                           number(report.refused.fold),
+                                           number(report.refused.piercing),
+                                           number(report.turned_before),
+                                           number(report.turned_after),
+                                           number(report.oddities.repeated_vertex_triangles),
+                                           number(report.oddities.zero_area_triangles),
+                                           number(report.oddities.unused_vertices),
+                                           number(report.non_manifold_vertices),
+                                           number(report.cells),
+                                           number(report.folded_cells),
+                                           number(report.dropped.parts),
+                                           number(report.dropped.triangles),
+                                           report.feature_size.value_or(0)});
     std::vector<double> regions;
     for (const RegionReport& region : report.regions)
         regions.insert(regions.end(), {static_cast<double>(region.label), number(region.triangles_before),

@@ -7,4 +7,6 @@ export const noOddities: Report['oddities'] = {
   unusedVertices: 0,
   turnedTriangles: 0,
   unorientableParts: 0,
+  copiedTriangles: 0,
+  twoSidedTriangles: 0,
 };

@@ -31,6 +31,8 @@ const inspect: Services['inspect'] = async ({ variables }) => ({
     unusedVertices: 2,
     turnedTriangles: 0,
     unorientableParts: 0,
+    copiedTriangles: 0,
+    twoSidedTriangles: 0,
   },
 });
 

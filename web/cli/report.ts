@@ -1,6 +1,8 @@
 import type { Bound, Report } from '../../wasm/index.ts';
 import { counted, grouped, listed } from '../formats/wording.ts';
 import type { ReportOptions } from '../session/report-json.ts';
+import { whyLittleWent } from '../session/why-little-went.ts';
+import { littleWentSentence } from '../words/little-went.ts';
 import { boundOf } from './bound-arguments.ts';
 import { type RegionNames, regionLines } from './region-text.ts';
 import { removedText, roundedUpText, textTable } from './text-table.ts';
@@ -21,6 +23,7 @@ export function reportText(report: Report, options: AskedFor, names?: RegionName
     `${grouped(before)} -> ${counted(after, 'triangle')} (${removed} removed) in ${seconds.toFixed(2)} s`,
     textTable([['variable', 'bound', '', 'error', 'error/bound'], ...variableRows(report, options)]),
     ...focusLines(options),
+    ...littleWentLines(report),
     ...turnLines(report),
     ...regionLines(regions, names),
   ].join('\n');
@@ -39,6 +42,12 @@ function variableRows({ variables, featureSize }: Report, { bounds }: AskedFor):
 function shareText(given: Exclude<Bound, 'free'>, constant: boolean): string {
   if (!('relative' in given)) return '';
   return `${roundedUpText(100 * given.relative)} %${constant ? ' of magnitude' : ''}`;
+}
+
+/** Why, where little went though the bounds would let it. */
+function littleWentLines(report: Report): string[] {
+  const why = whyLittleWent(report);
+  return why ? [littleWentSentence(why).replaceAll('\u00a0', ' ')] : [];
 }
 
 /** Why an error may be larger than its bound in the table; nothing where it may not. */

@@ -1,6 +1,8 @@
 import type { Reduction, Report, VariableExtent, VariableReport } from '../../wasm/index.ts';
 import { sizeOf } from '../session/bound-setting.ts';
+import { type Reason, whyLittleWent } from '../session/why-little-went.ts';
 import { english } from '../words/english.ts';
+import { littleWentSentence } from '../words/little-went.ts';
 import { countText, isRounding, lowerPercentText, upperPercentText, upperText } from './number-text.ts';
 
 const words = english.promise;
@@ -42,10 +44,16 @@ export function promiseSentence(report: Report, measured: boolean, multiplied = 
   const bounded = variables.filter((variable) => !isFree(variable));
   const free = variables.filter(isFree).map(placeName);
   const left = dropped.parts > 0 ? ` ${words.dropped(countText(dropped.parts), dropped.parts)}` : '';
-  const freed = `${free.length > 0 ? ` ${words.free(free)}` : ''}${left}`;
+  const freed = `${free.length > 0 ? ` ${words.free(free)}` : ''}${left}${littleWent(report)}`;
   const bounds = `${boundsPhrase(bounded)}${multiplied ? words.multiplied : ''}`;
   if (bounded.length === 0) return `${counted}${freed}`;
   return `${counted} ${words.proved(bounds, mostUsed(bounded, measured, multiplied))}${freed}`;
+}
+
+/** Why, where little went though the bounds would let it. */
+function littleWent(report: Report): string {
+  const why = whyLittleWent(report);
+  return why ? ` ${littleWentSentence(why)}` : '';
 }
 
 /** "1 % in space, 3 % in pressure and density": variables with the same bound stand together, in their order. */
@@ -78,10 +86,10 @@ export interface HeldBack {
 export function heldBackShares({ variables, refused }: Report): HeldBack[] {
   const reasons: [string, number][] = [
     ...variables.map((variable): [string, number] => [placeName(variable), variable.refused]),
-    [english.heldBack.folds, refused.fold],
-    [english.heldBack.piercing, refused.piercing],
-    [english.heldBack.topology, refused.topology],
-    [english.heldBack.fixed, refused.fixed],
+    ...(Object.entries(refused) as [Reason, number][]).map(([reason, count]): [string, number] => [
+      english.heldBack.reasons[reason],
+      count,
+    ]),
   ];
   const counted = reasons.filter(([, count]) => count > 0).sort(([, a], [, b]) => b - a);
   const all = counted.reduce((sum, [, count]) => sum + count, 0);

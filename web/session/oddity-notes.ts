@@ -8,6 +8,8 @@ export function oddityNotes({
   turnedTriangles,
   unorientableParts,
   unorientableTriangle,
+  copiedTriangles,
+  twoSidedTriangles,
 }: Report['oddities']): string[] {
   const sentences: [number, string][] = [
     [repeatedVertexTriangles, 'with a repeated vertex: not a surface, left out of the result.'],
@@ -26,6 +28,18 @@ export function oddityNotes({
     const parts = unorientableParts === 1 ? '1 part has' : `${unorientableParts} parts have`;
     notes.push(
       `${parts} no two sides (triangle ${unorientableTriangle}, counted from 0): along some line its triangles face different ways.`,
+    );
+  }
+  if (copiedTriangles > 0) {
+    const lie = copiedTriangles === 1 ? 'is a copy of another one' : 'are copies of others';
+    notes.push(
+      `${triangles(copiedTriangles)} ${lie}, on the same three points and facing the same way: left out of the result.`,
+    );
+  }
+  if (twoSidedTriangles > 0) {
+    const pairs = twoSidedTriangles === 1 ? '1 pair' : `${twoSidedTriangles} pairs`;
+    notes.push(
+      `${pairs} of triangles on the same three points, facing opposite ways: two sides of one sheet, reduced together.`,
     );
   }
   return notes;

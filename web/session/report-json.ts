@@ -1,6 +1,7 @@
 import type { Box, Report } from '../../wasm/index.ts';
 import type { Bounds } from './bound-text.ts';
 import type { FocusPoint } from './focus-point.ts';
+import { whyLittleWent } from './why-little-went.ts';
 
 /** How a reduction was asked for. */
 export interface ReportOptions {
@@ -52,7 +53,7 @@ export function reportJson(
     seconds,
     stopped,
   } = report;
-  const { turnedTriangles, unorientableParts } = report.oddities;
+  const { turnedTriangles, unorientableParts, copiedTriangles, twoSidedTriangles } = report.oddities;
   const { cells, foldedCells } = report;
   const variables = report.variables.map(({ name, components, extent, constant, bound, error, ratio }) => ({
     name,
@@ -68,6 +69,7 @@ export function reportJson(
   const facts = {
     triangles,
     orientation: { turnedTriangles, unorientableParts },
+    coincident: { copiedTriangles, twoSidedTriangles },
     nonManifoldVertices,
     seams,
     map: options.errors === 'tracked' ? { cells, foldedCells } : null,
@@ -76,8 +78,15 @@ export function reportJson(
     featureSize,
     unmetBoxes,
     variables,
+    heldBack: heldBackFacts(report),
     regions,
     vanishedRegions,
   };
   return `${JSON.stringify({ ...facts, seconds, options, stopped }, undefined, 2)}\n`;
+}
+
+/** Why vertices that are left could not go; what of them was the reason that little went, where the bounds were not. */
+function heldBackFacts(report: Report) {
+  const bounds = Object.fromEntries(report.variables.map(({ name, refused }) => [name, refused]));
+  return { candidates: report.candidates, bounds, ...report.refused, whyLittleWent: whyLittleWent(report) ?? null };
 }

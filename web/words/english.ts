@@ -50,10 +50,29 @@ export const english = {
     what: 'Why the vertices that are still there could not go',
     most: 'Held back most by',
     next: (shares: string[]) => (shares.length > 0 ? `then ${shares.join(', ')}` : 'and nothing else'),
-    folds: 'folds',
-    piercing: 'near parts',
-    topology: 'topology',
-    fixed: 'fixed vertices',
+    reasons: {
+      nonManifold: 'where curves meet',
+      locked: 'locked vertices',
+      ring: 'large rings',
+      topology: 'topology',
+      fold: 'folds',
+      piercing: 'near parts',
+    },
+  },
+
+  /** Why little went though the bounds would let it, behind the share of the vertices left that this kept. */
+  littleWent: {
+    sentence: (share: string, reason: string) =>
+      `Why so little went: ${share}${space}% of the vertices left ${reason}.`,
+    reasons: {
+      nonManifold:
+        'stand where curves meet or end: where three or more triangles share an edge, regions or seams meet, or parts touch in a point',
+      locked: 'are locked',
+      ring: 'have more than 48 neighbours, too many to fill the hole that they would leave',
+      topology: 'cannot go without making another surface: a hole would close, or parts grow together',
+      fold: 'cannot go without a fold, or without turning the surface away from where it faced',
+      piercing: 'cannot go without piercing another part of the surface',
+    },
   },
 
   progress: {

@@ -20,6 +20,10 @@ struct MappedSurfaces {
     /// The same map from a mesh with the same vertices, whose triangles are the same but for the sides that they face.
     MappedSurfaces(const Mesh& turned, const MappedSurfaces& mapped)
         : original(turned), reduced(mapped.reduced), vertices(mapped.vertices), map(mapped.map) {}
+    /// Any two meshes with a map between them.
+    MappedSurfaces(const Mesh& from, const Mesh& onto, const std::vector<std::uint32_t>& kept,
+                   const SurfaceMap& between)
+        : original(from), reduced(onto), vertices(kept), map(between) {}
 
     const Mesh& original;
     const Mesh& reduced;

@@ -21,9 +21,13 @@ struct VariableReport {
     std::size_t refused = 0; ///< vertices still there because removing them would break this variable's bound
 };
 
-/// Why vertices that are still there could not go, besides the bounds (see VariableReport::refused).
+/// Why vertices that are still there could not go, besides the bounds (see VariableReport::refused). Each is counted once, for
+/// the first of these reasons that it has, or for its bound.
 struct Refusals {
-    std::size_t fixed = 0;    ///< locked, in a bow-tie, or where curves between sheets meet or end
+    /// Where curves meet or end (edges of three or more triangles, borders of regions, seams), or in a bow-tie.
+    std::size_t non_manifold = 0;
+    std::size_t locked = 0;   ///< by Options::locked, or of what locked boxes and regions hold
+    std::size_t ring = 0;     ///< it has more than 48 neighbours, too many to fill the hole that it would leave
     std::size_t topology = 0; ///< removal would change the topology: existing edge, tetrahedron, last loop (§3.2.3)
     std::size_t fold = 0;     ///< every retriangulation turns away from the surface or folds onto a neighbour
     std::size_t piercing =
@@ -52,7 +56,9 @@ struct Report {
     std::size_t triangles_before = 0, triangles_after = 0;
     std::size_t vertices_before = 0, vertices_after = 0;
     std::vector<VariableReport> variables; ///< position first, then the mesh's variables in their order
-    Refusals refused;
+    /// Vertices of the input that were there to go, locked ones too: all that triangles use, but for those of dropped parts.
+    std::size_t candidates = 0;
+    Refusals refused; ///< together with those of the variables, all vertices left; nothing where it was cancelled
     Oddities oddities;
     DroppedParts dropped;
     /// Which of Options::locked_boxes meet no triangle, so that nothing stays because of them; rising indices.

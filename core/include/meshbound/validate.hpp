@@ -16,6 +16,10 @@ struct Oddities {
     std::size_t turned_triangles = 0;    ///< triangles that face the other side than most around them: turned round
     std::size_t unorientable_parts = 0;  ///< parts without two sides (a Möbius band): oriented up to a line
     std::optional<std::size_t> unorientable_triangle; ///< the first triangle of the first of them
+    std::size_t copied_triangles = 0; ///< on the three vertices of an earlier one, facing the same way: left out
+    /// Pairs of triangles on the same three vertices that face opposite ways: the two sides of one sheet, which are reduced
+    /// together and are both in the result.
+    std::size_t two_sided_triangles = 0;
 };
 
 /// Whether a mesh can be reduced: shapes of all arrays, indices, names, finite numbers. The first fault found is returned,
@@ -23,7 +27,7 @@ struct Oddities {
 Status validate(const Mesh& mesh, Oddities* oddities = nullptr);
 
 /// Fills in what `validate` does not look at, because `reduce` finds it out anyway: which triangles of a valid mesh face the
-/// wrong side.
+/// wrong side, and which are on the same three vertices.
 void find_turned(const Mesh& mesh, Oddities& oddities);
 
 } // namespace meshbound
