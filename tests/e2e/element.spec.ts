@@ -348,3 +348,40 @@ test('several on a page are each for themselves', async ({ page }) => {
   });
   await expect.poll(async () => difference(before, await picture('b'))).toBeLessThan(0.01);
 });
+
+for (const style of [
+  'display: block; height: 360px',
+  'display: flex; height: 360px',
+  'display: grid; height: 360px',
+  'display: inline-block; width: 600px; height: 360px',
+  'display: table-cell; width: 600px; height: 360px',
+]) {
+  test(`is laid out whatever the host page makes of its display: ${style}`, async ({ page }) => {
+    await openOwnPage(page, `<style>meshbound-viewer { ${style} }</style>${usual}`);
+    const viewer = page.locator('meshbound-viewer');
+    await reduced(viewer);
+    const [whole, stage] = [await viewer.boundingBox(), await viewer.locator('meshbound-stage').boundingBox()];
+    expect(whole?.height).toBeCloseTo(360, 0);
+    expect(stage?.height).toBeGreaterThan(150);
+    expect(stage?.width).toBeGreaterThan(500);
+  });
+}
+
+test('is laid out when it was hidden at first', async ({ page }) => {
+  await openOwnPage(page, `<div style="display: none">${usual}</div>`);
+  await page.locator('div').evaluate((box) => box.removeAttribute('style'));
+  const viewer = page.locator('meshbound-viewer');
+  await reduced(viewer);
+  expect((await viewer.locator('meshbound-stage').boundingBox())?.height).toBeGreaterThan(150);
+});
+
+for (const faulty of ['bounds="posit: 1%"', 'bounds="position: much"', 'lock-points="3,x"', 'focus-point="1"']) {
+  test(`refuses ${faulty} and shows the original`, async ({ page }) => {
+    await openOwnPage(page, usual.replace('controls', `controls ${faulty}`));
+    const viewer = page.locator('meshbound-viewer');
+    await expect(viewer.locator('.sentence')).toContainText('Not reduced.');
+    await expect(viewer.getByRole('alert')).toHaveCount(1);
+    await expect(viewer.locator('#reduced .caption')).toHaveText('Not reduced');
+    expect(await viewer.evaluate((element: Viewer) => element.report)).toBeNull();
+  });
+}

@@ -64,7 +64,7 @@ export interface Counts {
 
 /** The numbers of triangles that the sentence states. */
 export async function counts(page: Page): Promise<Counts> {
-  await expect(sentence(page)).not.toContainText('Provisional');
+  await expect(sentence(page)).not.toContainText(/Provisional|bounds before/);
   const text = (await sentence(page).innerText()).replace(/[\u202f\u00a0]/g, '');
   const [, after, before] = /^(\d+) of (\d+) triangles/.exec(text) ?? [];
   return { after: Number(after), before: Number(before) };
@@ -77,9 +77,9 @@ export async function chooseFile(page: Page, name: string, content: Buffer): Pro
 }
 
 /** Saves the result by the menu: in a format, or its map. */
-export async function saved(shown: Page, format: string): Promise<{ name: string; bytes: Uint8Array }> {
+export async function saved(shown: Page, format: string, menu = 'Save…'): Promise<{ name: string; bytes: Uint8Array }> {
   const started = shown.waitForEvent('download');
-  await shown.getByRole('button', { name: 'Save…' }).click();
+  await shown.getByRole('button', { name: menu }).click();
   const name = { map: 'Map (VTP)', report: 'Report (JSON)' }[format] ?? format.toUpperCase();
   await shown.getByRole('button', { name, exact: true }).click();
   const download = await started;

@@ -172,7 +172,9 @@ test.describe('on one page', () => {
     await field.press('Enter');
     await cancelled;
     await expect(page().locator('.numbers')).toContainText('Cancelled');
-    expect(await sentence(page()).innerText()).toBe(before);
+    await expect(sentence(page())).toHaveText(
+      `Not with what is asked for, which was cancelled, but with the bounds before: ${before}`,
+    );
     await page().getByRole('button', { name: 'Reduce', exact: true }).click();
     await settled(page());
     await expect(sentence(page())).not.toHaveText(before);

@@ -89,7 +89,9 @@ export class App extends LitElement {
       }
       @media (max-width: 800px) {
         :host {
-          grid-template: 'toolbar' auto 'stage' min(150vw, 70dvh) 'levels' auto 'bounds' auto 'result' auto / minmax(0, 1fr);
+          /* All of the stage is to be seen, between the toolbar and the result. */
+          --free: max(200px, 100dvh - var(--toolbar-height, 0px) - var(--result-height, 0px));
+          grid-template: 'toolbar' auto 'stage' min(150vw, 70dvh, var(--free)) 'levels' auto 'bounds' auto 'result' auto / minmax(0, 1fr);
           height: auto;
         }
         /* In sight while a bound moves, whatever it says, and nothing moves with it. */
@@ -106,6 +108,15 @@ export class App extends LitElement {
           border-top: 1px solid var(--line);
         }
       }
+      /* Where little is to be seen, as on a phone on its side or at 200 %, the surfaces have it. */
+      @media (max-width: 800px) and (max-height: 500px) {
+        :host {
+          --free: max(200px, 100dvh - var(--toolbar-height, 0px));
+        }
+        meshbound-result-bar {
+          position: static;
+        }
+      }
     `,
   ];
 
@@ -119,6 +130,7 @@ export class App extends LitElement {
   /** The place on the original that is pinned. */
   #pinned: readonly number[] | null = null;
   #link = new Link(this.viewer);
+  #heights = new ResizeObserver((entries) => this.#measure(entries));
   #drop = new FileDrop(this, (files) => this.#openFiles(files));
 
   constructor() {
@@ -143,6 +155,20 @@ export class App extends LitElement {
   /** Shows what the page's address says, or else the first sample. */
   begin(): void {
     this.#link.begin(this.samples[0]?.address ?? null);
+  }
+
+  override firstUpdated(): void {
+    for (const part of this.renderRoot.querySelectorAll('meshbound-toolbar, meshbound-result-bar')) {
+      this.#heights.observe(part);
+    }
+  }
+
+  /** How much of the window the bars take, for the style. */
+  #measure(entries: ResizeObserverEntry[]): void {
+    for (const { target, borderBoxSize } of entries) {
+      const name = target.localName === 'meshbound-toolbar' ? '--toolbar-height' : '--result-height';
+      this.style.setProperty(name, `${borderBoxSize[0].blockSize}px`);
+    }
   }
 
   override render() {

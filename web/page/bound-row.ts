@@ -38,6 +38,13 @@ export class BoundRow extends LitElement {
         align-items: center;
         justify-content: space-between;
       }
+      .line.small {
+        flex-wrap: wrap;
+        gap: 0 6px;
+      }
+      .other {
+        color: var(--fault);
+      }
       .name {
         flex: 1;
         overflow: hidden;
@@ -161,13 +168,13 @@ export class BoundRow extends LitElement {
     const other = shownWith
       ? html`<span class="other">${pageEnglish.bounds.shownWith(this.#text(shownWith))}</span> `
       : nothing;
-    return html`${other}<button
+    return html`<span>${other}<button
       class="error"
       title=${pageEnglish.bounds.errorHint}
       @click=${() => this.dispatchEvent(new CustomEvent('worst-wanted'))}
     >
-      ${pageEnglish.bounds.error} ≤ ${upperText(this.reached.error)}
-    </button>`;
+      ${pageEnglish.bounds.error} ${this.reached.error > 0 ? `≤ ${upperText(this.reached.error)}` : 0}
+    </button></span>`;
   }
 
   /** A bound as it was stated. */
