@@ -32,6 +32,11 @@ Values values_from(const val& array) {
     return vector_from<float>(array);
 }
 
+VariableKind kind_from(const val& kind) {
+    return kind.isString() && kind.as<std::string>() == "identifier" ? VariableKind::identifier
+                                                                     : VariableKind::quantity;
+}
+
 Bound bound_from(const std::string& name, const val& bound) {
     if (bound.isString() && bound.as<std::string>() == "free") {
         return free_of_bound();
@@ -179,6 +184,7 @@ std::string text_from(const val& text) { return text.isString() ? text.as<std::s
 VariableReport variable_report_from(const val& report) {
     VariableReport result;
     result.name = text_from(report["name"]);
+    result.kind = kind_from(report["kind"]);
     result.bound.extent = number_from(report["extent"]);
     result.bound.magnitude = number_from(report["magnitude"]);
     result.bound.constant = report["constant"].isTrue();
@@ -242,8 +248,8 @@ Mesh mesh_from(const val& mesh) {
     const auto count = variables["length"].as<std::size_t>();
     for (std::size_t i = 0; i < count; ++i) {
         const val variable = variables[i];
-        result.variables.push_back(
-            {variable["name"].as<std::string>(), variable["components"].as<int>(), values_from(variable["values"])});
+        result.variables.push_back({variable["name"].as<std::string>(), variable["components"].as<int>(),
+                                    values_from(variable["values"]), kind_from(variable["kind"])});
     }
     return result;
 }

@@ -1,9 +1,11 @@
-import type { Report } from './types.ts';
+import type { Report, VariableKind } from './types.ts';
 
 /** What a variable's values span, in its unit. A relative bound is a fraction of the extent. */
 export interface VariableExtent {
   name: string;
   components: number;
+  /** Left out: a quantity. */
+  kind?: VariableKind;
   /** Length of the diagonal of the box of the values: max − min for a scalar. */
   extent: number;
   /** Largest absolute value of a component. */

@@ -73,9 +73,18 @@ val values_to(const Values& values) {
     return std::visit([](const auto& numbers) { return array_to(numbers); }, values);
 }
 
+/// A quantity is what a variable is where nothing is said.
+val with_kind(val object, VariableKind kind) {
+    if (kind == VariableKind::identifier) {
+        object.set("kind", std::string("identifier"));
+    }
+    return object;
+}
+
 val variable_to(const Variable& variable) {
-    return object(field("name", variable.name), field("components", variable.components),
-                  field("values", values_to(variable.values)));
+    return with_kind(object(field("name", variable.name), field("components", variable.components),
+                            field("values", values_to(variable.values))),
+                     variable.kind);
 }
 
 val triangles_to(const std::vector<glm::uvec3>& triangles) {
@@ -141,10 +150,12 @@ val morph_to(const Morph& morph) {
 }
 
 val variable_report_to(const VariableReport& report) {
-    return object(field("name", report.name), field("components", report.components),
-                  field("extent", report.bound.extent), field("magnitude", report.bound.magnitude),
-                  field("constant", report.bound.constant), field("bound", report.bound.absolute),
-                  field("error", report.error), field("ratio", report.ratio), field("refused", number(report.refused)));
+    return with_kind(object(field("name", report.name), field("components", report.components),
+                            field("extent", report.bound.extent), field("magnitude", report.bound.magnitude),
+                            field("constant", report.bound.constant), field("bound", report.bound.absolute),
+                            field("error", report.error), field("ratio", report.ratio),
+                            field("refused", number(report.refused))),
+                     report.kind);
 }
 
 val before_after(std::size_t before, std::size_t after) {
@@ -209,8 +220,10 @@ val waypoint_to(const Waypoint& waypoint, double seconds) {
 }
 
 val extent_to(const Variable& variable, const ResolvedBound& bound) {
-    return object(field("name", variable.name), field("components", variable.components), field("extent", bound.extent),
-                  field("magnitude", bound.magnitude), field("constant", bound.constant));
+    return with_kind(object(field("name", variable.name), field("components", variable.components),
+                            field("extent", bound.extent), field("magnitude", bound.magnitude),
+                            field("constant", bound.constant)),
+                     variable.kind);
 }
 
 } // namespace

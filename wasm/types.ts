@@ -1,8 +1,16 @@
+/**
+ * What the numbers of a variable are: a quantity varies over the surface; an identifier names things (numbers of points,
+ * masks), and no bound for all variables (`*`) is about it.
+ */
+export type VariableKind = 'quantity' | 'identifier';
+
 /** A named array at the vertices, interleaved: component j of vertex i stands at `values[i * components + j]`. */
 export interface Variable {
   name: string;
   components: number;
   values: Float32Array | Float64Array;
+  /** Default: a quantity. */
+  kind?: VariableKind;
 }
 
 /** An oriented triangle mesh that carries data. */
@@ -29,7 +37,10 @@ export interface Box {
 }
 
 export interface ReduceOptions {
-  /** By variable name; `position` is the geometry, `*` every variable not named. A variable that none reaches is free. */
+  /**
+   * By variable name; `position` is the geometry, `*` every variable not named but identifiers (`Variable.kind`). A variable
+   * that none reaches is free.
+   */
   bounds: Record<string, Bound>;
   /** How errors are accounted for. Default: the core's. */
   errors?: 'propagated' | 'tracked';
@@ -96,6 +107,8 @@ export interface LevelsOptions extends Omit<ReduceOptions, 'bounds' | 'waypoint'
 export interface VariableReport {
   name: string;
   components: number;
+  /** Left out: a quantity. */
+  kind?: VariableKind;
   extent: number;
   magnitude: number;
   /** Extent is rounding noise; a relative bound was taken from the magnitude. */

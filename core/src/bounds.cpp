@@ -48,10 +48,11 @@ Status check_bound(const std::string& name, const Bound& bound) {
             {}};
 }
 
-/// The entry that holds for a variable: the last one with its name, else the last "*", else none (free).
-Bound bound_for(const std::string& name, const Bounds& bounds) {
+/// The entry that holds for a variable: the last one with its name, else the last "*" unless it is an identifier, else none
+/// (free).
+Bound bound_for(const std::string& name, VariableKind kind, const Bounds& bounds) {
     Bound found = free_of_bound();
-    bool named = false;
+    bool named = kind == VariableKind::identifier;
     for (const NamedBound& entry : bounds) {
         const bool by_name = entry.name == name;
         if (!by_name && (named || entry.name != "*")) continue;
@@ -119,7 +120,7 @@ Status resolve_bounds(const Mesh& mesh, const Bounds& bounds, std::vector<Resolv
     for (std::size_t i = 0; i < resolved.size(); ++i) {
         const Variable& variable = i == 0 ? mesh.position : mesh.variables[i - 1];
         Status status = measure(variable, i > 0, resolved[i]);
-        if (status.ok()) status = resolve(variable.name, bound_for(variable.name, bounds), resolved[i]);
+        if (status.ok()) status = resolve(variable.name, bound_for(variable.name, variable.kind, bounds), resolved[i]);
         if (!status.ok()) return status;
     }
     return {};
@@ -128,8 +129,9 @@ Status resolve_bounds(const Mesh& mesh, const Bounds& bounds, std::vector<Resolv
 Status resolve_measured_bounds(const Mesh& mesh, const Bounds& bounds, std::vector<ResolvedBound>& resolved) {
     if (Status status = check_names(mesh, bounds); !status.ok()) return status;
     for (std::size_t i = 0; i < resolved.size(); ++i) {
-        const std::string& name = i == 0 ? mesh.position.name : mesh.variables[i - 1].name;
-        if (Status status = resolve(name, bound_for(name, bounds), resolved[i]); !status.ok()) return status;
+        const Variable& variable = i == 0 ? mesh.position : mesh.variables[i - 1];
+        const Bound given = bound_for(variable.name, variable.kind, bounds);
+        if (Status status = resolve(variable.name, given, resolved[i]); !status.ok()) return status;
     }
     return {};
 }

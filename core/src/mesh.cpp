@@ -16,7 +16,7 @@ double value_at(const Variable& variable, std::size_t vertex, int component) {
 
 Variable gather(const Variable& variable, const std::vector<std::uint32_t>& vertices) {
     const auto components = static_cast<std::size_t>(variable.components);
-    Variable gathered{variable.name, variable.components, {}};
+    Variable gathered{variable.name, variable.components, {}, variable.kind};
     std::visit(
         [&](const auto& values) {
             std::decay_t<decltype(values)> picked;

@@ -66,7 +66,7 @@ double mixed(const Variable& variable, const MorphPlace& place, int component) {
 
 /// A variable at the corners, in its own precision.
 Variable at_corners(const Variable& variable, const MorphPlaces& corners) {
-    Variable result{variable.name, variable.components, variable.values};
+    Variable result{variable.name, variable.components, variable.values, variable.kind};
     std::visit(
         [&](auto& values) {
             values.clear();

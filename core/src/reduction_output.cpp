@@ -74,7 +74,7 @@ Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, 
     report.oddities = oddities;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         const Variable& variable = i == 0 ? mesh.position : mesh.variables[i - 1];
-        report.variables.push_back({variable.name, variable.components, bounds[i]});
+        report.variables.push_back({variable.name, variable.components, variable.kind, bounds[i]});
     }
     return report;
 }

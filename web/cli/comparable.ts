@@ -21,8 +21,10 @@ export interface Comparable {
  */
 export function comparable(original: OpenedSurface, reduced: OpenedSurface, bounds: Bounds): Comparable {
   requireKnownBounds(bounds, original);
-  const names = original.mesh.variables.map(({ name }) => name).filter((name) => boundOf(bounds, name) !== 'free');
-  if (names.length === 0 && boundOf(bounds, 'position') === 'free') throw new UsageFault('Every variable is free.');
+  const bounded = original.mesh.variables.filter((variable) => boundOf(bounds, variable) !== 'free');
+  const names = bounded.map(({ name }) => name);
+  if (names.length === 0 && boundOf(bounds, { name: 'position' }) === 'free')
+    throw new UsageFault('Every variable is free.');
   const [one, other] = [onlyWith(names, original), onlyWith(names, reduced)];
   requireSameComponents(one, other, reduced.path);
   const limits = [positionOf(one), ...one.variables].map((variable) => absoluteBound(bounds, variable));
@@ -86,7 +88,7 @@ function requireSameComponents(original: Mesh, reduced: Mesh, path: string): voi
 
 /** In the variable's unit. */
 function absoluteBound(bounds: Bounds, variable: Variable): number {
-  const bound = boundOf(bounds, variable.name);
+  const bound = boundOf(bounds, variable);
   if (bound === 'free') return Number.POSITIVE_INFINITY;
   return 'absolute' in bound ? bound.absolute : bound.relative * scaleOf(spanOf(variable));
 }

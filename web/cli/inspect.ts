@@ -35,6 +35,7 @@ function inspection({ path, format, mesh, units, componentNames, notes }: Opened
     return {
       name: variable.name,
       components: variable.components,
+      kind: variable.kind ?? 'quantity',
       componentNames: componentNames[variable.name] ?? null,
       unit: units[variable.name] ?? null,
       precision: variable.values instanceof Float64Array ? 'double' : 'single',
@@ -112,6 +113,12 @@ function print(found: Inspection): void {
   console.log(countsText(found));
   console.log();
   console.log(textTable([heading, ...found.variables.flatMap(variableRows)]));
+  const identifiers = found.variables.filter(({ kind }) => kind === 'identifier').map(({ name }) => name);
+  if (identifiers.length > 0) {
+    console.log(
+      `\n  Identifiers: ${listed(identifiers)}. Only a bound of that name is about them; “*” leaves them free.`,
+    );
+  }
   const constant = found.variables.filter((each) => each.constant).map(({ name }) => name);
   if (constant.length > 0) {
     console.log(

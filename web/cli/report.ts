@@ -1,7 +1,7 @@
 import type { Bound, Report } from '../../wasm/index.ts';
 import { counted, grouped, listed } from '../formats/wording.ts';
 import type { ReportOptions } from '../session/report-json.ts';
-import { boundOf } from './bound-arguments.ts';
+import { type Bounded, boundOf } from './bound-arguments.ts';
 import { type RegionNames, regionLines } from './region-text.ts';
 import { numberText, roundedUpText, textTable } from './text-table.ts';
 import { turnLines } from './turn-text.ts';
@@ -27,8 +27,8 @@ export function reportText(report: Report, options: AskedFor, names?: RegionName
 }
 
 function variableRows({ variables, featureSize }: Report, { bounds }: AskedFor): string[][] {
-  return variables.map(({ name, constant, bound, error, ratio }) => {
-    const given = boundOf(bounds, name);
+  return variables.map(({ name, kind, constant, bound, error, ratio }) => {
+    const given = boundOf(bounds, { name, kind });
     if (given === 'free') return [name, 'free', '', roundedUpText(error), ''];
     const limited = name === 'position' && featureSize !== undefined;
     const share = limited ? 'limited' : shareText(given, constant);
@@ -46,10 +46,22 @@ function focusLines({ focus }: AskedFor): string[] {
   return focus ? [`bounds are multiplied by “${focus}”: error/bound compares with the bound at each place`] : [];
 }
 
-/** A sentence about the variables that no bound was given for; none where there are none. */
-export function freeNotes(names: string[]): string[] {
-  if (names.length === 0) return [];
-  return [
-    `No bound was given for ${listed(names)}: free, so nothing is promised of ${names.length === 1 ? 'it' : 'them'}.`,
-  ];
+/** Sentences about the variables that no bound was given for; none where there are none. */
+export function freeNotes(variables: readonly Bounded[]): string[] {
+  const [identifiers, others] = [true, false].map((wanted) =>
+    variables.filter(({ kind }) => (kind === 'identifier') === wanted).map(({ name }) => name),
+  );
+  const notes: string[] = [];
+  if (others.length > 0) notes.push(`No bound was given for ${listed(others)}: ${nothingPromised(others)}.`);
+  if (identifiers.length > 0) {
+    const are = identifiers.length === 1 ? 'is an identifier' : 'are identifiers';
+    notes.push(
+      `${listed(identifiers)} ${are}, which a bound for all variables is not about: ${nothingPromised(identifiers)}.`,
+    );
+  }
+  return notes;
+}
+
+function nothingPromised({ length }: readonly string[]): string {
+  return `free, so nothing is promised of ${length === 1 ? 'it' : 'them'}`;
 }

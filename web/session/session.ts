@@ -200,7 +200,7 @@ export class Session extends EventTarget {
   /** What is wanted, as far as there are such variables. */
   #firstBounds(variables: VariableExtent[]): BoundSettings {
     const names = variables.map(({ name }) => name);
-    if (!this.#wanted) return defaultBounds(names);
+    if (!this.#wanted) return defaultBounds(variables);
     const missing = Object.keys(this.#wanted).filter((name) => name !== '*' && !names.includes(name));
     if (missing.length > 0) {
       const text = `There is no variable ${listed(missing)} to bound; the variables are ${listed(names)}.`;

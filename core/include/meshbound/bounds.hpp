@@ -24,7 +24,8 @@ inline Bound absolute(double value) { return {Bound::Kind::absolute, value}; }
 inline Bound free_of_bound() { return {Bound::Kind::free, 0}; }
 
 /// A bound for the variable `name`. "position" is the geometry; "*" stands for every variable that no other entry names,
-/// position among them. Of two entries with one name the later one holds. A variable that no entry reaches is free.
+/// position among them, but for identifiers (Variable::kind), which only their own names reach. Of two entries with one name
+/// the later one holds. A variable that no entry reaches is free.
 ///
 ///     Bounds bounds = {{"position", relative(0.01)}, {"velocity", absolute(0.2)}, {"*", relative(0.03)}};
 struct NamedBound {

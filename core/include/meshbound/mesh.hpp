@@ -13,6 +13,12 @@ namespace meshbound {
 /// Numbers in the precision they came in. Whatever comes in single precision goes out in single precision, bit for bit.
 using Values = std::variant<std::vector<float>, std::vector<double>>;
 
+/// What the numbers of a variable are.
+enum class VariableKind {
+    quantity,   ///< they vary over the surface, and between two of them lie others that mean something
+    identifier, ///< they name things (numbers of points, masks); no bound for all variables ("*") is about them
+};
+
 /// A named array at the vertices, linear on every triangle.
 ///
 /// `values` is interleaved: component j of vertex i stands at `values[i * components + j]`. A vector (velocity) is ONE
@@ -24,6 +30,7 @@ struct Variable {
     std::string name;
     int components = 1;
     Values values;
+    VariableKind kind = VariableKind::quantity;
 };
 
 /// An oriented triangle mesh that carries data. The geometry is the variable `position`, so that position and data share

@@ -15,6 +15,7 @@ namespace meshbound {
 struct VariableReport {
     std::string name;
     int components = 1;
+    VariableKind kind = VariableKind::quantity;
     ResolvedBound bound;
     double error = 0; ///< no point of the surface has a larger error than this
     double ratio = 0; ///< largest of error / bound, multiplied as it is there; 1 is the limit; 0 where it is free
