@@ -188,6 +188,10 @@ VariableReport variable_report_from(const val& report) {
     result.bound.extent = number_from(report["extent"]);
     result.bound.magnitude = number_from(report["magnitude"]);
     result.bound.constant = report["constant"].isTrue();
+    if (const val non_finite = report["nonFinite"]; !non_finite.isUndefined() && !non_finite.isNull()) {
+        result.bound.non_finite = count_from(non_finite["vertices"]);
+        result.bound.first_non_finite = count_from(non_finite["first"]);
+    }
     result.error = number_from(report["error"]);
     return result;
 }

@@ -1,6 +1,9 @@
-import type { Report, VariableKind } from './types.ts';
+import type { NonFinite, Report, VariableKind } from './types.ts';
 
-/** What a variable's values span, in its unit. A relative bound is a fraction of the extent. */
+/**
+ * What a variable's values span where triangles are, in its unit, as far as they are numbers. A relative bound is a fraction of
+ * the extent.
+ */
 export interface VariableExtent {
   name: string;
   components: number;
@@ -12,6 +15,8 @@ export interface VariableExtent {
   magnitude: number;
   /** The extent is rounding noise; a relative bound is taken from the magnitude instead. */
   constant: boolean;
+  /** Left out where all values are numbers; else the variable must be free. */
+  nonFinite?: NonFinite;
 }
 
 /** What is known of a valid mesh before it is reduced. */

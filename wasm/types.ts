@@ -103,6 +103,12 @@ export interface LevelsOptions extends Omit<ReduceOptions, 'bounds' | 'waypoint'
   morphs?: boolean;
 }
 
+/** Where a variable is NaN or infinite: at how many of the vertices that triangles use, and the first of them. */
+export interface NonFinite {
+  vertices: number;
+  first: number;
+}
+
 /** What was promised and reached for one variable; errors and bounds in its unit. */
 export interface VariableReport {
   name: string;
@@ -113,8 +119,11 @@ export interface VariableReport {
   magnitude: number;
   /** Extent is rounding noise; a relative bound was taken from the magnitude. */
   constant: boolean;
+  /** Left out where all values are numbers; else the variable must be free. */
+  nonFinite?: NonFinite;
   /** The bound in the variable's unit; Infinity where it is free. */
   bound: number;
+  /** NaN where it is not known, because the variable is NaN or infinite somewhere. */
   error: number;
   /** The largest of error / bound, multiplied by the focus as it is there; 1 is the limit; 0 where it is free. */
   ratio: number;
@@ -171,7 +180,7 @@ export interface Report {
   seconds: number;
 }
 
-/** The error of one variable on every reduced triangle, in its unit. */
+/** The error of one variable on every reduced triangle, in its unit; NaN where the variable is NaN or infinite there. */
 export interface TriangleErrors {
   largest: Float32Array;
   /** Signed, original minus reduced; empty for a variable with several components (position: distance along the normal). */
@@ -198,7 +207,7 @@ export interface SurfaceMap {
   crossingRightward: Uint8Array;
 }
 
-/** The errors of one variable at the vertices of the input, in its unit. */
+/** The errors of one variable at the vertices of the input, in its unit; NaN where the variable is NaN or infinite there. */
 export interface VertexErrors {
   error: Float32Array;
   /** Original minus reduced; empty for a variable with several components (position: distance along the normal). */

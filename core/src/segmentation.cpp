@@ -47,7 +47,8 @@ double area(const Mesh& mesh, const glm::uvec3& triangle) {
 
 double area(const Mesh& mesh) {
     double sum = 0;
-    for (const glm::uvec3& triangle : mesh.triangles) sum += area(mesh, triangle);
+    for (const glm::uvec3& triangle : mesh.triangles)
+        if (!repeats_vertex(triangle)) sum += area(mesh, triangle);
     return sum;
 }
 

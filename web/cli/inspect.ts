@@ -1,6 +1,7 @@
 import type { Variable } from '../../wasm/index.ts';
 import { grouped, listed } from '../formats/wording.ts';
 import { topologyOf } from '../surface/topology.ts';
+import { usedPoints } from '../surface/used-points.ts';
 import { spanOf } from '../surface/value-span.ts';
 import { parseArguments } from './arguments.ts';
 import type { Command } from './command.ts';
@@ -31,7 +32,7 @@ Examples:
 function inspection({ path, format, mesh, units, componentNames, notes }: OpenedSurface) {
   const vertices = mesh.position.length / 3;
   const describe = (variable: Variable) => {
-    const { components, extent, magnitude, constant, nan, infinite } = spanOf(variable);
+    const { components, extent, magnitude, constant, nan, infinite } = spanOf(variable, mesh.triangles);
     return {
       name: variable.name,
       components: variable.components,
@@ -53,6 +54,7 @@ function inspection({ path, format, mesh, units, componentNames, notes }: Opened
     format,
     triangles: mesh.triangles.length / 3,
     vertices,
+    unusedVertices: usedPoints(mesh.triangles, vertices).filter((used) => used === 0).length,
     ...topologyOf(mesh.triangles, vertices),
     variables: [position, ...mesh.variables].map(describe),
     notes,
@@ -65,6 +67,7 @@ function countsText(found: Inspection): string {
   const counts: [string, number][] = [
     ['triangles', found.triangles],
     ['vertices', found.vertices],
+    ...unusedRow(found),
     ['components', found.components],
     ['boundary loops', found.boundaryLoops],
     ['non-manifold edges', found.nonManifoldEdges],
@@ -77,6 +80,11 @@ function countsText(found: Inspection): string {
 /** Where triangles face different ways `reduce` turns them, so that such edges are no trouble. */
 function discordantRow({ discordantEdges }: Inspection): [string, number][] {
   return discordantEdges > 0 ? [['  between triangles facing different ways', discordantEdges]] : [];
+}
+
+/** What stands at such vertices counts for nothing, in the table below either. */
+function unusedRow({ unusedVertices }: Inspection): [string, number][] {
+  return unusedVertices > 0 ? [['  that no triangle uses', unusedVertices]] : [];
 }
 
 const heading = ['variable', 'components', 'lowest', 'highest', 'extent', 'NaN', 'infinite'];

@@ -29,7 +29,7 @@ export function reportText(report: Report, options: AskedFor, names?: RegionName
 function variableRows({ variables, featureSize }: Report, { bounds }: AskedFor): string[][] {
   return variables.map(({ name, kind, constant, bound, error, ratio }) => {
     const given = boundOf(bounds, { name, kind });
-    if (given === 'free') return [name, 'free', '', roundedUpText(error), ''];
+    if (given === 'free') return [name, 'free', '', Number.isNaN(error) ? 'not known' : roundedUpText(error), ''];
     const limited = name === 'position' && featureSize !== undefined;
     const share = limited ? 'limited' : shareText(given, constant);
     return [name, roundedUpText(bound), share, roundedUpText(error), roundedUpText(ratio)];

@@ -1,6 +1,8 @@
 import { MeshboundError } from '../../wasm/errors.ts';
 import { judgeAccuracy, loadJudge, type Verdict } from '../../wasm/judge-module.ts';
 import type { Mesh } from '../../wasm/types.ts';
+import { unusedNotes } from '../session/oddity-notes.ts';
+import { usedPoints } from '../surface/used-points.ts';
 import { parseArguments } from './arguments.ts';
 import { parseBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
@@ -50,6 +52,10 @@ const signature = {
   positionals: ['ORIGINAL', 'REDUCED'],
 } as const;
 
+function unusedIn({ triangles, position }: Mesh): number {
+  return usedPoints(triangles, position.length / 3).filter((used) => used === 0).length;
+}
+
 /** So many points take hours; more is a mistake in writing. */
 const mostSamples = 1e9;
 
@@ -89,7 +95,7 @@ async function run(args: string[]): Promise<number> {
     const found = { original: original.path, reduced: reduced.path, ...findings, within };
     console.log(JSON.stringify(found, undefined, 2));
   } else if (!values.quiet) {
-    for (const { path, notes } of [original, reduced]) sayNotes(path, notes);
+    for (const { path, notes, mesh } of [original, reduced]) sayNotes(path, [...notes, ...unusedNotes(unusedIn(mesh))]);
     sayNotes(original.path, freeNotes(unnamed(bounds, original.mesh)));
     console.log(verdictText(findings));
     console.log(within ? 'The bounds hold at every sample.' : 'A bound is broken.');

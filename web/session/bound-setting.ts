@@ -18,17 +18,23 @@ export type BoundSettings = Readonly<Record<string, BoundSetting>>;
 const positionFraction = 0.01;
 const variableFraction = 0.03;
 
-export function defaultBounds(variables: readonly Bounded[]): BoundSettings {
-  const settings: [string, BoundSetting][] = variables.map(({ name, kind }) => [
+export function defaultBounds(variables: readonly (Bounded & Pick<VariableExtent, 'nonFinite'>)[]): BoundSettings {
+  const settings: [string, BoundSetting][] = variables.map(({ name, kind, nonFinite }) => [
     name,
-    { fraction: name === 'position' ? positionFraction : variableFraction, free: kind === 'identifier' },
+    {
+      fraction: name === 'position' ? positionFraction : variableFraction,
+      free: kind === 'identifier' || nonFinite !== undefined,
+    },
   ]);
   // From entries, so that a variable may be called `__proto__`.
   return Object.fromEntries(settings);
 }
 
 /** Whether these are the bounds that a surface starts with. */
-export function areFirst(settings: BoundSettings, variables: readonly Bounded[]): boolean {
+export function areFirst(
+  settings: BoundSettings,
+  variables: readonly (Bounded & Pick<VariableExtent, 'nonFinite'>)[],
+): boolean {
   const first = defaultBounds(variables);
   return Object.entries(settings).every(
     ([name, { fraction, absolute, free }]) =>

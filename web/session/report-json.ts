@@ -55,14 +55,15 @@ export function reportJson(
   const { turnedTriangles, unorientableParts } = report.oddities;
   const { cells, foldedCells } = report;
   const variables = report.variables.map(
-    ({ name, components, kind = 'quantity', extent, constant, bound, error, ratio }) => ({
+    ({ name, components, kind = 'quantity', nonFinite = null, extent, constant, bound, error, ratio }) => ({
       name,
       components,
       kind,
       extent,
       constant,
       bound: Number.isFinite(bound) ? bound : null,
-      error,
+      error: Number.isNaN(error) ? null : error,
+      nonFinite,
       ratio: Number.isFinite(bound) ? ratio : null,
     }),
   );
