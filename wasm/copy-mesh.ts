@@ -7,6 +7,12 @@ function checkValues(values: unknown, what: string): void {
   }
 }
 
+function checkKind(kind: unknown, name: string): void {
+  if (kind !== undefined && kind !== 'quantity' && kind !== 'identifier') {
+    throw new TypeError(`The kind of "${name}" must be 'quantity' or 'identifier'.`);
+  }
+}
+
 function checkTriangles(triangles: unknown): void {
   if (!(triangles instanceof Uint32Array)) {
     throw new TypeError('The triangles must be a Uint32Array.');
@@ -24,7 +30,10 @@ export function checkMesh({ position, triangles, variables, regions }: Mesh): vo
   if (regions !== undefined && !(regions instanceof Int32Array)) {
     throw new TypeError('The regions must be an Int32Array.');
   }
-  for (const { name, values } of variables) checkValues(values, `values of “${name}”`);
+  for (const { name, values, kind } of variables) {
+    checkValues(values, `values of “${name}”`);
+    checkKind(kind, name);
+  }
 }
 
 /** The same of what says where the vertices of a reduced mesh come from. */
@@ -51,7 +60,12 @@ export function checkMap(map: SurfaceMap): void {
 
 /** A copy whose buffers are its own, so that they can be transferred while the caller's stay as they are. */
 export function copyMesh({ position, triangles, variables, regions }: Mesh): Mesh {
-  const copyVariable = ({ name, components, values }: Variable) => ({ name, components, values: values.slice() });
+  const copyVariable = (variable: Variable) => ({
+    name: variable.name,
+    components: variable.components,
+    kind: variable.kind,
+    values: variable.values.slice(),
+  });
   const copy = { position: position.slice(), triangles: triangles.slice(), variables: variables.map(copyVariable) };
   return regions ? { ...copy, regions: regions.slice() } : copy;
 }

@@ -33,6 +33,11 @@ Values values_from(const val& array) {
     return vector_from<float>(array);
 }
 
+VariableKind kind_from(const val& kind) {
+    return kind.isString() && kind.as<std::string>() == "identifier" ? VariableKind::identifier
+                                                                     : VariableKind::quantity;
+}
+
 Bound bound_from(const std::string& name, const val& bound) {
     if (bound.isString() && bound.as<std::string>() == "free") {
         return free_of_bound();
@@ -186,9 +191,14 @@ std::string text_from(const val& text) { return text.isString() ? text.as<std::s
 VariableReport variable_report_from(const val& report) {
     VariableReport result;
     result.name = text_from(report["name"]);
+    result.kind = kind_from(report["kind"]);
     result.bound.extent = number_from(report["extent"]);
     result.bound.magnitude = number_from(report["magnitude"]);
     result.bound.constant = report["constant"].isTrue();
+    if (const val non_finite = report["nonFinite"]; !non_finite.isUndefined() && !non_finite.isNull()) {
+        result.bound.non_finite = count_from(non_finite["vertices"]);
+        result.bound.first_non_finite = count_from(non_finite["first"]);
+    }
     result.error = number_from(report["error"]);
     return result;
 }
@@ -252,8 +262,8 @@ Mesh mesh_from(const val& mesh) {
     const auto count = variables["length"].as<std::size_t>();
     for (std::size_t i = 0; i < count; ++i) {
         const val variable = variables[i];
-        result.variables.push_back(
-            {variable["name"].as<std::string>(), variable["components"].as<int>(), values_from(variable["values"])});
+        result.variables.push_back({variable["name"].as<std::string>(), variable["components"].as<int>(),
+                                    values_from(variable["values"]), kind_from(variable["kind"])});
     }
     return result;
 }

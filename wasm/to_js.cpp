@@ -73,9 +73,27 @@ val values_to(const Values& values) {
     return std::visit([](const auto& numbers) { return array_to(numbers); }, values);
 }
 
+/// A quantity is what a variable is where nothing is said.
+val with_kind(val object, VariableKind kind) {
+    if (kind == VariableKind::identifier) {
+        object.set("kind", std::string("identifier"));
+    }
+    return object;
+}
+
+/// Left out where all values are numbers.
+val with_non_finite(val measured, const ResolvedBound& bound) {
+    if (bound.non_finite > 0) {
+        measured.set("nonFinite", object(field("vertices", number(bound.non_finite)),
+                                         field("first", number(bound.first_non_finite))));
+    }
+    return measured;
+}
+
 val variable_to(const Variable& variable) {
-    return object(field("name", variable.name), field("components", variable.components),
-                  field("values", values_to(variable.values)));
+    return with_kind(object(field("name", variable.name), field("components", variable.components),
+                            field("values", values_to(variable.values))),
+                     variable.kind);
 }
 
 val triangles_to(const std::vector<glm::uvec3>& triangles) {
@@ -141,10 +159,12 @@ val morph_to(const Morph& morph) {
 }
 
 val variable_report_to(const VariableReport& report) {
-    return object(field("name", report.name), field("components", report.components),
-                  field("extent", report.bound.extent), field("magnitude", report.bound.magnitude),
-                  field("constant", report.bound.constant), field("bound", report.bound.absolute),
-                  field("error", report.error), field("ratio", report.ratio), field("refused", number(report.refused)));
+    const val result =
+        object(field("name", report.name), field("components", report.components), field("extent", report.bound.extent),
+               field("magnitude", report.bound.magnitude), field("constant", report.bound.constant),
+               field("bound", report.bound.absolute), field("error", report.error), field("ratio", report.ratio),
+               field("refused", number(report.refused)));
+    return with_non_finite(with_kind(result, report.kind), report.bound);
 }
 
 val before_after(std::size_t before, std::size_t after) {
@@ -212,9 +232,11 @@ val waypoint_to(const Waypoint& waypoint, double seconds) {
                   field("report", report_to(waypoint.report, seconds)));
 }
 
-val extent_to(const Variable& variable, const ResolvedBound& bound) {
-    return object(field("name", variable.name), field("components", variable.components), field("extent", bound.extent),
-                  field("magnitude", bound.magnitude), field("constant", bound.constant));
+val extent_to(const VariableView& variable, const ResolvedBound& bound) {
+    const val result =
+        object(field("name", std::string(variable.name)), field("components", variable.components),
+               field("extent", bound.extent), field("magnitude", bound.magnitude), field("constant", bound.constant));
+    return with_non_finite(with_kind(result, variable.kind), bound);
 }
 
 } // namespace
@@ -260,9 +282,8 @@ val segmentation_to(const Segmentation& segmentation) {
 
 val inspection_to(const Mesh& mesh, const Oddities& oddities, const std::vector<ResolvedBound>& bounds) {
     val variables = val::array();
-    variables.call<void>("push", extent_to(mesh.position, bounds[0]));
-    for (std::size_t i = 0; i < mesh.variables.size(); ++i) {
-        variables.call<void>("push", extent_to(mesh.variables[i], bounds[i + 1]));
+    for (std::size_t i = 0; i < variable_count(mesh); ++i) {
+        variables.call<void>("push", extent_to(variable_of(mesh, i), bounds[i]));
     }
     return object(field("triangles", number(mesh.triangles.size())), field("vertices", number(vertex_count(mesh))),
                   field("variables", variables), field("oddities", oddities_to(oddities)));

@@ -1,8 +1,16 @@
+/**
+ * What the numbers of a variable are: a quantity varies over the surface; an identifier names things (numbers of points,
+ * masks), and no bound for all variables (`*`) is about it.
+ */
+export type VariableKind = 'quantity' | 'identifier';
+
 /** A named array at the vertices, interleaved: component j of vertex i stands at `values[i * components + j]`. */
 export interface Variable {
   name: string;
   components: number;
   values: Float32Array | Float64Array;
+  /** Default: a quantity. */
+  kind?: VariableKind;
 }
 
 /** An oriented triangle mesh that carries data. */
@@ -29,7 +37,10 @@ export interface Box {
 }
 
 export interface ReduceOptions {
-  /** By variable name; `position` is the geometry, `*` every variable not named. A variable that none reaches is free. */
+  /**
+   * By variable name; `position` is the geometry, `*` every variable not named but identifiers (`Variable.kind`). A variable
+   * that none reaches is free.
+   */
   bounds: Record<string, Bound>;
   /** How errors are accounted for. Default: the core's. */
   errors?: 'propagated' | 'tracked';
@@ -102,16 +113,27 @@ export interface LevelsOptions extends Omit<ReduceOptions, 'bounds' | 'waypoint'
   morphs?: boolean;
 }
 
+/** Where a variable is NaN or infinite: at how many of the vertices that triangles use, and the first of them. */
+export interface NonFinite {
+  vertices: number;
+  first: number;
+}
+
 /** What was promised and reached for one variable; errors and bounds in its unit. */
 export interface VariableReport {
   name: string;
   components: number;
+  /** Left out: a quantity. */
+  kind?: VariableKind;
   extent: number;
   magnitude: number;
   /** Extent is rounding noise; a relative bound was taken from the magnitude. */
   constant: boolean;
+  /** Left out where all values are numbers; else the variable must be free. */
+  nonFinite?: NonFinite;
   /** The bound in the variable's unit; Infinity where it is free. */
   bound: number;
+  /** NaN where it is not known, because the variable is NaN or infinite somewhere. */
   error: number;
   /** The largest of error / bound, multiplied by the focus as it is there; 1 is the limit; 0 where it is free. */
   ratio: number;
@@ -190,7 +212,7 @@ export interface Report {
   seconds: number;
 }
 
-/** The error of one variable on every reduced triangle, in its unit. */
+/** The error of one variable on every reduced triangle, in its unit; NaN where the variable is NaN or infinite there. */
 export interface TriangleErrors {
   largest: Float32Array;
   /** Signed, original minus reduced; empty for a variable with several components (position: distance along the normal). */
@@ -217,7 +239,7 @@ export interface SurfaceMap {
   crossingRightward: Uint8Array;
 }
 
-/** The errors of one variable at the vertices of the input, in its unit. */
+/** The errors of one variable at the vertices of the input, in its unit; NaN where the variable is NaN or infinite there. */
 export interface VertexErrors {
   error: Float32Array;
   /** Original minus reduced; empty for a variable with several components (position: distance along the normal). */

@@ -20,6 +20,7 @@ struct ErrorRange {
     double largest = 0;             ///< no point mapped into the triangle has a larger error
     double ratio = 0;               ///< nor a larger one in multiples of its bound where it came from
     double lowest = 0, highest = 0; ///< signed; of position: the distance along the normal
+    bool known = true;              ///< else something there is NaN or infinite, and the numbers above mean nothing
 };
 
 /// The accounting of one removal after another. The loop that removes vertices asks in this order, for each candidate: enter,

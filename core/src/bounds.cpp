@@ -5,31 +5,54 @@
 #include <limits>
 
 #include "measured_bounds.hpp"
+#include "non_finite.hpp"
 #include "number_text.hpp"
 #include "rows.hpp"
+#include "used_vertices.hpp"
 
 namespace meshbound {
 namespace {
 
-/// Extent (diagonal of the box) and magnitude of a variable; the values of a valid mesh are finite.
-void measure_values(const Variable& variable, ResolvedBound& bound) {
-    const auto components = static_cast<std::size_t>(variable.components);
-    const std::size_t vertices = value_count(variable) / components;
+/// The span of a component over the used vertices at which it is a number.
+struct Span {
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+
+    void include(double value) {
+        lowest = std::min(lowest, value);
+        highest = std::max(highest, value);
+    }
+    bool is_empty() const { return lowest > highest; }
+};
+
+Span span_of(const VariableView& variable, int component, const std::vector<char>& used) {
+    Span span;
+    for (std::size_t vertex = 0; vertex < used.size(); ++vertex) {
+        if (!used[vertex]) continue;
+        if (const double value = value_at(variable, vertex, component); std::isfinite(value)) span.include(value);
+    }
+    return span;
+}
+
+/// Extent (diagonal of the box) and magnitude of a variable.
+void measure_values(const VariableView& variable, const std::vector<char>& used, ResolvedBound& bound) {
     double widest = 0, square = 0; // squares relative to the widest component, so that they cannot overflow
     for (int component = 0; component < variable.components; ++component) {
-        double lowest = value_at(variable, 0, component), highest = lowest;
-        for (std::size_t vertex = 1; vertex < vertices; ++vertex) {
-            const double value = value_at(variable, vertex, component);
-            lowest = std::min(lowest, value);
-            highest = std::max(highest, value);
-        }
-        const double width = highest - lowest;
+        const Span span = span_of(variable, component, used);
+        if (span.is_empty()) continue;
+        const double width = span.highest - span.lowest;
         const double rescale = width > widest ? widest / width : 1;
         widest = std::max(widest, width);
         if (widest > 0) square = square * rescale * rescale + (width / widest) * (width / widest);
-        bound.magnitude = std::max({bound.magnitude, std::abs(lowest), std::abs(highest)});
+        bound.magnitude = std::max({bound.magnitude, std::abs(span.lowest), std::abs(span.highest)});
     }
     bound.extent = widest * std::sqrt(square);
+}
+
+void count_non_finite(const VariableView& variable, const std::vector<char>& used, ResolvedBound& bound) {
+    for (std::size_t vertex = 0; vertex < used.size(); ++vertex) {
+        if (!used[vertex] || is_finite_at(variable, vertex)) continue;
+        if (bound.non_finite++ == 0) bound.first_non_finite = vertex;
+    }
 }
 
 /// What a relative bound of this variable is a fraction of. A variable that is zero everywhere keeps its errors at zero
@@ -48,12 +71,13 @@ Status check_bound(const std::string& name, const Bound& bound) {
             {}};
 }
 
-/// The entry that holds for a variable: the last one with its name, else the last "*", else none (free).
-Bound bound_for(const std::string& name, const Bounds& bounds) {
+/// The entry that holds for a variable: the last one with its name, else the last "*" unless it is an identifier, else none
+/// (free).
+Bound bound_for(const VariableView& variable, const Bounds& bounds) {
     Bound found = free_of_bound();
-    bool named = false;
+    bool named = variable.kind == VariableKind::identifier;
     for (const NamedBound& entry : bounds) {
-        const bool by_name = entry.name == name;
+        const bool by_name = entry.name == variable.name;
         if (!by_name && (named || entry.name != "*")) continue;
         found = entry.bound;
         named = named || by_name;
@@ -63,7 +87,7 @@ Bound bound_for(const std::string& name, const Bounds& bounds) {
 
 Status check_names(const Mesh& mesh, const Bounds& bounds) {
     for (const NamedBound& entry : bounds) {
-        const bool known = entry.name == "*" || entry.name == "position" ||
+        const bool known = entry.name == "*" || entry.name == position_name ||
                            std::any_of(mesh.variables.begin(), mesh.variables.end(),
                                        [&](const Variable& variable) { return variable.name == entry.name; });
         if (!known)
@@ -76,35 +100,72 @@ Status check_names(const Mesh& mesh, const Bounds& bounds) {
     return {};
 }
 
-/// Even where the variable is free: its errors could not be told.
-Status too_far_apart(const Variable& variable, bool is_data) {
-    return {is_data ? Fault::non_finite_value : Fault::non_finite_position,
-            "The values of “" + variable.name + "” lie farther apart than double precision can carry.",
-            variable.name,
-            {}};
+Status too_far_apart(const VariableView& variable, Fault fault) {
+    const std::string name(variable.name);
+    return {fault, "The values of “" + name + "” lie farther apart than double precision can carry.", name, {}};
 }
 
-Status measure(const Variable& variable, bool may_be_constant, ResolvedBound& resolved) {
-    measure_values(variable, resolved);
-    if (!std::isfinite(resolved.extent)) return too_far_apart(variable, may_be_constant);
+/// What the geometry must be even where it is free: places in space. Another variable need not.
+Status check_geometry(const Mesh& mesh, const ResolvedBound& position) {
+    if (std::isfinite(position.extent)) return {};
+    return too_far_apart(mesh.position, Fault::non_finite_position);
+}
+
+ResolvedBound measure(const VariableView& variable, bool may_be_constant, const std::vector<char>& used) {
+    ResolvedBound resolved;
+    measure_values(variable, used, resolved);
+    count_non_finite(variable, used, resolved);
     resolved.constant = may_be_constant && resolved.extent <= constant_extent * resolved.magnitude;
-    return {};
+    return resolved;
 }
 
-/// The variable is measured.
-Status resolve(const std::string& name, const Bound& given, ResolvedBound& resolved) {
-    resolved.given = given;
-    switch (given.kind) {
-    case Bound::Kind::free: resolved.absolute = std::numeric_limits<double>::infinity(); return {};
-    case Bound::Kind::absolute: resolved.absolute = given.value; break;
-    case Bound::Kind::relative: resolved.absolute = given.value * scale_of(resolved); break;
-    }
+Status check_fineness(const VariableView& variable, const ResolvedBound& resolved) {
     if (can_be_carried(resolved)) return {};
+    const std::string name(variable.name);
     return {Fault::bound_too_fine,
             "The bound of “" + name + "” is " + number_text(resolved.absolute) +
                 ", finer than double precision can carry beside an extent of " + number_text(resolved.extent) + ".",
             name,
             {}};
+}
+
+/// The variable is measured.
+void resolve(const Bound& given, ResolvedBound& resolved) {
+    resolved.given = given;
+    switch (given.kind) {
+    case Bound::Kind::free: resolved.absolute = std::numeric_limits<double>::infinity(); break;
+    case Bound::Kind::absolute: resolved.absolute = given.value; break;
+    case Bound::Kind::relative: resolved.absolute = given.value * scale_of(resolved); break;
+    }
+}
+
+Status resolve_all(const Mesh& mesh, const Bounds& bounds, std::vector<ResolvedBound>& resolved) {
+    if (Status status = check_names(mesh, bounds); !status.ok()) return status;
+    for (std::size_t i = 0; i < resolved.size(); ++i) resolve(bound_for(variable_of(mesh, i), bounds), resolved[i]);
+    return {};
+}
+
+/// Calls `check(variable, resolved)` for each variable with a bound; returns the first fault.
+template <class Check>
+Status check_bounded(const Mesh& mesh, const std::vector<ResolvedBound>& resolved, const Check& check) {
+    for (std::size_t i = 0; i < resolved.size(); ++i) {
+        if (resolved[i].given.kind == Bound::Kind::free) continue;
+        if (Status status = check(variable_of(mesh, i), resolved[i]); !status.ok()) return status;
+    }
+    return {};
+}
+
+/// Whether what is measured of a variable lets it have a bound. It may be measured elsewhere: nothing is looked up.
+Status check_measured(const VariableView& variable, const ResolvedBound& resolved) {
+    if (resolved.non_finite > 0) {
+        const std::string name(variable.name);
+        return {Fault::non_finite_value,
+                "The variable “" + name + "” is not a number, or infinite, at vertex " +
+                    std::to_string(resolved.first_non_finite) + " of the original; so it can have no bound.",
+                name, resolved.first_non_finite};
+    }
+    if (!std::isfinite(resolved.extent)) return too_far_apart(variable, Fault::non_finite_value);
+    return {};
 }
 
 } // namespace
@@ -114,24 +175,31 @@ bool can_be_carried(const ResolvedBound& bound) {
 }
 
 Status resolve_bounds(const Mesh& mesh, const Bounds& bounds, std::vector<ResolvedBound>& resolved) {
-    if (Status status = check_names(mesh, bounds); !status.ok()) return status;
-    resolved.assign(1 + mesh.variables.size(), {});
-    for (std::size_t i = 0; i < resolved.size(); ++i) {
-        const Variable& variable = i == 0 ? mesh.position : mesh.variables[i - 1];
-        Status status = measure(variable, i > 0, resolved[i]);
-        if (status.ok()) status = resolve(variable.name, bound_for(variable.name, bounds), resolved[i]);
-        if (!status.ok()) return status;
-    }
-    return {};
+    const std::vector<char> used = find_used_vertices(mesh);
+    resolved.clear();
+    for (std::size_t i = 0; i < variable_count(mesh); ++i)
+        resolved.push_back(measure(variable_of(mesh, i), i > 0, used));
+    if (Status status = check_geometry(mesh, resolved[0]); !status.ok()) return status;
+    if (Status status = resolve_all(mesh, bounds, resolved); !status.ok()) return status;
+    const auto check = [](const VariableView& variable, const ResolvedBound& bound) {
+        if (bound.non_finite > 0) return non_finite_at(Fault::non_finite_value, variable, bound.first_non_finite);
+        const Status status = check_measured(variable, bound);
+        return status.ok() ? check_fineness(variable, bound) : status;
+    };
+    return check_bounded(mesh, resolved, check);
 }
 
 Status resolve_measured_bounds(const Mesh& mesh, const Bounds& bounds, std::vector<ResolvedBound>& resolved) {
-    if (Status status = check_names(mesh, bounds); !status.ok()) return status;
-    for (std::size_t i = 0; i < resolved.size(); ++i) {
-        const std::string& name = i == 0 ? mesh.position.name : mesh.variables[i - 1].name;
-        if (Status status = resolve(name, bound_for(name, bounds), resolved[i]); !status.ok()) return status;
-    }
-    return {};
+    if (Status status = resolve_all(mesh, bounds, resolved); !status.ok()) return status;
+    const std::vector<char> used = find_used_vertices(mesh);
+    const auto check = [&used](const VariableView& variable, const ResolvedBound& bound) {
+        if (Status status = check_measured(variable, bound); !status.ok()) return status;
+        for (std::size_t vertex = 0; vertex < used.size(); ++vertex)
+            if (used[vertex] && !is_finite_at(variable, vertex))
+                return non_finite_at(Fault::non_finite_value, variable, vertex);
+        return check_fineness(variable, bound);
+    };
+    return check_bounded(mesh, resolved, check);
 }
 
 } // namespace meshbound

@@ -138,15 +138,16 @@ Status check_crossings(const MappedSurfaces& surfaces) {
     return {};
 }
 
-bool is_same(const Variable& one, const Variable& other) {
+bool is_same(const VariableView& one, const VariableView& other) {
     return one.name == other.name && one.components == other.components && one.values.index() == other.values.index();
 }
 
-Status other_variable(const Variable& variable) {
+Status other_variable(const VariableView& variable) {
+    const std::string name(variable.name);
     return {Fault::bad_map,
-            "The reduced mesh does not carry “" + variable.name +
+            "The reduced mesh does not carry “" + name +
                 "” as the original does: in the same place, with the same components and in the same precision.",
-            variable.name,
+            name,
             {}};
 }
 
@@ -175,10 +176,9 @@ Status check_crossings_met(const MappedSurfaces& surfaces, const Segmentation& s
 
 Status check_same_variables(const MappedSurfaces& surfaces) {
     const Mesh &original = surfaces.original, &reduced = surfaces.reduced;
-    if (!is_same(original.position, reduced.position)) return other_variable(original.position);
-    for (std::size_t i = 0; i < original.variables.size(); ++i)
-        if (i >= reduced.variables.size() || !is_same(original.variables[i], reduced.variables[i]))
-            return other_variable(original.variables[i]);
+    for (std::size_t i = 0; i < variable_count(original); ++i)
+        if (i >= variable_count(reduced) || !is_same(variable_of(original, i), variable_of(reduced, i)))
+            return other_variable(variable_of(original, i));
     return {};
 }
 

@@ -23,18 +23,25 @@ Status check_vertices(const Waypoint& waypoint) {
 /// NaN fails.
 bool is_length(double value) { return value >= 0 && std::isfinite(value); }
 
+/// What is spent of a variable that can have no bound need not be known (see VariableReport::error); NaN is no extent.
+bool says_what_it_spent(const VariableReport& report, bool is_position) {
+    const ResolvedBound& bound = report.bound;
+    if (is_position || (bound.non_finite == 0 && std::isfinite(bound.extent)))
+        return is_length(bound.extent) && is_length(report.error);
+    return bound.extent >= 0 && (std::isnan(report.error) || report.error >= 0);
+}
+
 Status check_variables(const Waypoint& waypoint) {
     const auto& reports = waypoint.report.variables;
-    const std::size_t count = 1 + waypoint.mesh.variables.size();
+    const std::size_t count = variable_count(waypoint.mesh);
     if (reports.size() != count)
         return inconsistent("The waypoint has " + std::to_string(count) +
                             " variables, position among them, and reports on " + std::to_string(reports.size()) + ".");
     for (std::size_t i = 0; i < count; ++i) {
-        const std::string& name = i == 0 ? waypoint.mesh.position.name : waypoint.mesh.variables[i - 1].name;
+        const std::string name(variable_of(waypoint.mesh, i).name);
         if (reports[i].name != name)
             return inconsistent("The waypoint reports on “" + reports[i].name + "” in place of “" + name + "”.", name);
-        if (!is_length(reports[i].error) || !is_length(reports[i].bound.extent) ||
-            !is_length(reports[i].bound.magnitude))
+        if (!is_length(reports[i].bound.magnitude) || !says_what_it_spent(reports[i], i == 0))
             return inconsistent("What the waypoint reports on “" + name + "” is not in numbers from zero on.", name);
     }
     return {};

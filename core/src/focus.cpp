@@ -4,7 +4,9 @@
 #include <string>
 
 #include "multipliers.hpp"
+#include "non_finite.hpp"
 #include "rows.hpp"
+#include "used_vertices.hpp"
 
 namespace meshbound {
 
@@ -14,6 +16,25 @@ const Variable* find_focus(const Mesh& mesh, const Options& options) {
                                     [&](const Variable& variable) { return variable.name == options.focus; });
     return found == mesh.variables.end() ? nullptr : &*found;
 }
+
+namespace {
+
+/// On the surface, that is where triangles are.
+Status check_multipliers(const Mesh& mesh, const Variable& focus) {
+    const std::vector<char> used = find_used_vertices(mesh);
+    for (std::size_t vertex = 0; vertex < used.size(); ++vertex) {
+        if (!used[vertex]) continue;
+        if (!is_finite_at(focus, vertex)) return non_finite_at(Fault::non_finite_value, focus, vertex);
+        if (!(value_at(focus, vertex, 0) > 0))
+            return {Fault::bad_option,
+                    "The variable “" + focus.name + "”, which multiplies the bounds, is not above zero at vertex " +
+                        std::to_string(vertex) + ".",
+                    focus.name, vertex};
+    }
+    return {};
+}
+
+} // namespace
 
 Status check_focus(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Options& options) {
     const std::string& name = options.focus;
@@ -30,13 +51,8 @@ Status check_focus(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, c
                     " components; it must have one.",
                 name,
                 {}};
-    for (std::size_t vertex = 0; vertex < vertex_count(mesh); ++vertex)
-        if (!(value_at(*focus, vertex, 0) > 0))
-            return {Fault::bad_option,
-                    "The variable “" + name + "”, which multiplies the bounds, is not above zero at vertex " +
-                        std::to_string(vertex) + ".",
-                    name, vertex};
-    const double least = Multipliers(focus).least();
+    if (Status status = check_multipliers(mesh, *focus); !status.ok()) return status;
+    const double least = Multipliers(mesh, focus).least();
     for (const ResolvedBound& bound : bounds)
         if (!(rounding_margin(bound) < largest_rounding_margin * least))
             return {Fault::bound_too_fine,

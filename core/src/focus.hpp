@@ -13,7 +13,7 @@ namespace meshbound {
 const Variable* find_focus(const Mesh& mesh, const Options& options);
 
 /// Whether there is such a variable, above zero everywhere and nowhere so small that double precision cannot carry the bounds.
-/// Faults: unknown_variable, bad_option, bound_too_fine.
+/// Everywhere is where triangles are. Faults: unknown_variable, bad_option, non_finite_value, bound_too_fine.
 Status check_focus(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Options& options);
 
 } // namespace meshbound

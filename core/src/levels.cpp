@@ -21,10 +21,6 @@ using LevelBounds = std::vector<std::vector<ResolvedBound>>;
 /// Levels by their number from 1, as people count them.
 std::string name_of(std::size_t level) { return "level " + std::to_string(level + 1); }
 
-const std::string& variable_name(const Mesh& mesh, std::size_t i) {
-    return i == 0 ? mesh.position.name : mesh.variables[i - 1].name;
-}
-
 /// A coarser level is a finer one with more removed: it cannot keep tighter bounds, and under the same ones it is the same.
 Status check_step(const Mesh& mesh, const LevelBounds& bounds, std::size_t level) {
     bool rises = false;
@@ -32,7 +28,7 @@ Status check_step(const Mesh& mesh, const LevelBounds& bounds, std::size_t level
         const double finer = bounds[level - 1][i].absolute, coarser = bounds[level][i].absolute;
         rises = rises || coarser > finer;
         if (coarser >= finer) continue;
-        const std::string& name = variable_name(mesh, i);
+        const std::string name(variable_of(mesh, i).name);
         return {Fault::bad_levels,
                 "The bound of “" + name + "” falls from " + number_text(finer) + " in " + name_of(level - 1) + " to " +
                     number_text(coarser) + " in " + name_of(level) +

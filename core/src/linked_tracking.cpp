@@ -1,6 +1,8 @@
 #include "linked_tracking.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "map_output.hpp"
@@ -119,8 +121,10 @@ void LinkedTracking::extract_errors(LevelLink& link, Ticker& ticker) const {
         if (!surface_->alive(slot)) continue;
         from_finer_.errors(slot, ranges);
         for (const RowGroup& group : rows_.groups()) {
+            const ErrorRange& range = ranges[group.variable];
             double& largest = link.errors[group.variable];
-            largest = std::max(largest, ranges[group.variable].largest * rows_.unit(group));
+            if (!range.known) largest = std::numeric_limits<double>::quiet_NaN();
+            else if (!std::isnan(largest)) largest = std::max(largest, range.largest * rows_.unit(group));
         }
     }
 }

@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 
+#include "repeats_vertex.hpp"
+
 namespace meshbound {
 namespace {
 
@@ -37,11 +39,13 @@ bool is_in_locked_region(const Mesh& mesh, const Options& options, std::size_t t
 
 } // namespace
 
+/// A triangle with a vertex twice is no part of the surface: nothing stays because of it.
 std::vector<std::uint32_t> locked_vertices(const Mesh& mesh, const Options& options) {
     std::vector<std::uint32_t> locked = options.locked;
     if (options.locked_boxes.empty() && options.locked_regions.empty()) return locked;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const glm::uvec3& triangle = mesh.triangles[t];
+        if (repeats_vertex(triangle)) continue;
         if (is_in_locked_region(mesh, options, t) || meets_locked_box(mesh, options, triangle))
             locked.insert(locked.end(), {triangle.x, triangle.y, triangle.z});
     }
@@ -52,6 +56,7 @@ std::vector<std::size_t> unmet_boxes(const Mesh& mesh, const Options& options) {
     std::vector<std::size_t> unmet(options.locked_boxes.size());
     std::iota(unmet.begin(), unmet.end(), std::size_t{0});
     for (std::size_t t = 0; t < mesh.triangles.size() && !unmet.empty(); ++t) {
+        if (repeats_vertex(mesh.triangles[t])) continue;
         const Box box = box_of(mesh, mesh.triangles[t]);
         std::erase_if(unmet, [&](std::size_t i) { return meet(box, options.locked_boxes[i]); });
     }

@@ -53,40 +53,42 @@ void leave_unused(const SurfaceMap& map, const std::vector<Variable>& finer, std
 }
 
 /// One component of a place. A weight of 1 gives the vertex's own value, bit for bit (a negative zero, too).
-double mixed(const Variable& variable, const MorphPlace& place, int component) {
+template <class Number>
+Number mixed(const std::vector<Number>& values, int components, const MorphPlace& place, int component) {
     double sum = 0;
     for (int i = 0; i < 3; ++i) {
         if (place.weights[i] == 0) continue;
-        const double value = value_at(variable, place.vertices[i], component);
+        const Number value =
+            values[place.vertices[i] * static_cast<std::size_t>(components) + static_cast<std::size_t>(component)];
         if (place.weights[i] == 1) return value;
-        sum += place.weights[i] * value;
+        sum += place.weights[i] * static_cast<double>(value);
     }
-    return sum;
+    return static_cast<Number>(sum);
 }
 
 /// A variable at the corners, in its own precision.
-Variable at_corners(const Variable& variable, const MorphPlaces& corners) {
-    Variable result{variable.name, variable.components, variable.values};
-    std::visit(
-        [&](auto& values) {
-            values.clear();
-            values.reserve(corners.size() * static_cast<std::size_t>(variable.components));
-            for (const MorphPlace& corner : corners)
-                for (int component = 0; component < variable.components; ++component)
-                    values.push_back(static_cast<typename std::decay_t<decltype(values)>::value_type>(
-                        mixed(variable, corner, component)));
-        },
-        result.values);
-    return result;
+Variable at_corners(const VariableView& variable, const MorphPlaces& corners) {
+    const auto mix = [&](const auto& values) -> Values {
+        std::decay_t<decltype(values)> mixtures;
+        mixtures.reserve(corners.size() * static_cast<std::size_t>(variable.components));
+        for (const MorphPlace& corner : corners)
+            for (int component = 0; component < variable.components; ++component)
+                mixtures.push_back(mixed(values, variable.components, corner, component));
+        return mixtures;
+    };
+    return {std::string(variable.name), variable.components, std::visit(mix, variable.values), variable.kind};
 }
 
 void place_corners(const Mesh& mesh, MorphPlaces corners, MorphEnd& end) {
-    end.variables.push_back(at_corners(mesh.position, corners));
-    for (const Variable& variable : mesh.variables) end.variables.push_back(at_corners(variable, corners));
+    for (std::size_t i = 0; i < variable_count(mesh); ++i)
+        end.variables.push_back(at_corners(variable_of(mesh, i), corners));
     end.places = std::move(corners);
 }
 
+/// At either end what stands there, also where the other end has no number.
 Variable mixed(const Variable& finer, const Variable& coarser, double share) {
+    if (share == 0) return finer;
+    if (share == 1) return coarser;
     Variable result = finer;
     std::visit(
         [&](auto& values) {
@@ -134,7 +136,7 @@ Mesh morphed(const Morph& morph, double share) {
     mesh.triangles = morph.triangles;
     for (std::size_t i = 0; i < morph.finer.variables.size(); ++i) {
         Variable variable = mixed(morph.finer.variables[i], morph.coarser.variables[i], share);
-        if (i == 0) mesh.position = std::move(variable);
+        if (i == 0) mesh.position.values = std::move(variable.values);
         else mesh.variables.push_back(std::move(variable));
     }
     return mesh;

@@ -17,8 +17,9 @@ namespace meshbound {
 class Multipliers {
 public:
     Multipliers() = default;
-    /// `inputs`: by vertex that of the input (see Surface::inputs); empty: all are themselves.
-    explicit Multipliers(const Variable* focus, const std::vector<std::uint32_t>& inputs = {});
+    /// `focus`: a variable of the mesh, or null. `inputs`: by vertex that of the input (see Surface::inputs); empty: all are
+    /// themselves. 1 where no triangle is.
+    Multipliers(const Mesh& mesh, const Variable* focus, const std::vector<std::uint32_t>& inputs = {});
 
     bool vary() const { return !at_vertex_.empty(); }
     double least() const { return least_; }

@@ -50,7 +50,9 @@ void Propagation::errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) co
             square += intervals[i].magnitude() * intervals[i].magnitude();
         const ErrorInterval& sign = group.variable == 0 ? intervals[rows_->width()] : intervals[group.first];
         const double largest = std::sqrt(square);
-        ranges.push_back({largest, least_.empty() ? largest : largest / least_[slot], sign.lowest, sign.highest});
+        // Intervals have no place for what is no number: of such a variable nothing is known anywhere.
+        ranges.push_back(
+            {largest, least_.empty() ? largest : largest / least_[slot], sign.lowest, sign.highest, group.finite});
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "shared_loop.hpp"
 #include "upper_float.hpp"
@@ -11,6 +13,9 @@ namespace {
 
 /// In a reduced triangle there may be much of the original.
 constexpr std::size_t triangles_at_once = 16;
+
+/// Of two errors; NaN, which is one that is not known, where either is.
+double larger(double one, double other) { return std::isnan(one) || one > other ? one : other; }
 
 /// Measures the errors on one triangle after the other, and what is largest of them.
 class TriangleMeasurement {
@@ -23,22 +28,16 @@ public:
         accounting_.errors(slot, ranges_);
         for (const RowGroup& group : rows_.groups()) {
             const ErrorRange& range = ranges_[group.variable];
-            const double unit = rows_.unit(group);
-            TriangleErrors& out = errors[group.variable];
-            out.largest[i] = upper_float(range.largest * unit);
-            out.ratio[i] = group.bounded ? upper_float(range.ratio) : 0;
-            largest_[group.variable].error = std::max(largest_[group.variable].error, range.largest * unit);
-            if (group.bounded) largest_[group.variable].ratio = std::max(largest_[group.variable].ratio, range.ratio);
-            if (out.lowest.empty()) continue;
-            out.lowest[i] = -upper_float(-range.lowest * unit);
-            out.highest[i] = upper_float(range.highest * unit);
+            if (range.known) write(group, range, i, errors[group.variable]);
+            else write_unknown(group, i, errors[group.variable]);
         }
     }
 
     void add_to(Report& report) const {
         for (std::size_t i = 0; i < largest_.size(); ++i) {
-            report.variables[i].error = std::max(report.variables[i].error, largest_[i].error);
-            report.variables[i].ratio = std::max(report.variables[i].ratio, largest_[i].ratio);
+            VariableReport& variable = report.variables[i];
+            variable.error = larger(variable.error, largest_[i].error);
+            variable.ratio = std::max(variable.ratio, largest_[i].ratio);
         }
     }
 
@@ -46,6 +45,27 @@ private:
     struct Largest {
         double error = 0, ratio = 0;
     };
+
+    void write(const RowGroup& group, const ErrorRange& range, std::size_t i, TriangleErrors& out) {
+        const double unit = rows_.unit(group);
+        out.largest[i] = upper_float(range.largest * unit);
+        out.ratio[i] = group.bounded ? upper_float(range.ratio) : 0;
+        Largest& largest = largest_[group.variable];
+        largest.error = larger(largest.error, range.largest * unit);
+        if (group.bounded) largest.ratio = std::max(largest.ratio, range.ratio);
+        if (out.lowest.empty()) return;
+        out.lowest[i] = -upper_float(-range.lowest * unit);
+        out.highest[i] = upper_float(range.highest * unit);
+    }
+
+    void write_unknown(const RowGroup& group, std::size_t i, TriangleErrors& out) {
+        constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+        out.largest[i] = unknown;
+        out.ratio[i] = 0; // it is free
+        largest_[group.variable].error = std::numeric_limits<double>::quiet_NaN();
+        if (!out.lowest.empty()) out.lowest[i] = out.highest[i] = unknown;
+    }
+
     const Rows& rows_;
     const Accounting& accounting_;
     std::vector<Largest> largest_;   // by variable
@@ -73,8 +93,8 @@ Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, 
     report.vertices_before = vertex_count(mesh);
     report.oddities = oddities;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-        const Variable& variable = i == 0 ? mesh.position : mesh.variables[i - 1];
-        report.variables.push_back({variable.name, variable.components, bounds[i]});
+        const VariableView variable = variable_of(mesh, i);
+        report.variables.push_back({std::string(variable.name), variable.components, variable.kind, bounds[i]});
     }
     return report;
 }

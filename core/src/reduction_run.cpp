@@ -74,7 +74,7 @@ void ReductionRun::take_one_side() {
 /// Before anything is removed; later levels keep what the first one kept.
 void ReductionRun::drop_small_parts(double bound) {
     if (!options_.drop_small_parts || !reached_.empty()) return;
-    const Multipliers multipliers(find_focus(mesh_, options_));
+    const Multipliers multipliers(mesh_, find_focus(mesh_, options_));
     const std::vector<std::uint32_t> kept = locked_vertices(mesh_, options_);
     dropped_ = meshbound::drop_small_parts(mesh_, bound, multipliers, kept, surface_);
     dropped_.triangles += dropped_backs();
@@ -262,7 +262,7 @@ void ReductionRun::report_cancelled(Reduction& reduction) const {
     reduction = {};
     extract_mesh(mesh_, surface_, reduction);
     report.stopped = Stopped::cancelled;
-    report_limits(Multipliers(find_focus(mesh_, options_)), report);
+    report_limits(Multipliers(mesh_, find_focus(mesh_, options_)), report);
     reduction.report = std::move(report);
 }
 

@@ -19,7 +19,7 @@ void for_each_triangle(const Mesh& mesh, std::vector<RegionReport>& regions, con
     const ScaledPoints scaled = scaled_points(mesh, scaled_exponent);
     const auto below = [](const RegionReport& region, std::int32_t label) { return region.label < label; };
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const glm::uvec3& triangle = mesh.triangles[t];
+        const glm::uvec3& triangle = mesh.triangles[t]; // one with a vertex twice has no area, wherever that is
         const glm::dvec3& corner = scaled.points[triangle.x];
         const double doubled =
             glm::length(glm::cross(scaled.points[triangle.y] - corner, scaled.points[triangle.z] - corner));

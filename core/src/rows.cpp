@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "used_vertices.hpp"
+
 namespace meshbound {
 namespace {
 
@@ -12,30 +14,38 @@ constexpr double operations = 64;
 
 double unit_of(const ResolvedBound& bound) {
     if (std::isfinite(bound.absolute)) return bound.absolute;
-    return bound.extent > 0 ? bound.extent : 1;
+    return bound.extent > 0 && std::isfinite(bound.extent) ? bound.extent : 1;
 }
 
-/// Lowest and highest value of one component, so that rows can be centred: a far offset must not cost precision.
-double centre_of(const Variable& variable, int component) {
-    const std::size_t vertices = value_count(variable) / static_cast<std::size_t>(variable.components);
-    double lowest = value_at(variable, 0, component), highest = lowest;
-    for (std::size_t vertex = 1; vertex < vertices; ++vertex) {
+bool is_finite(const ResolvedBound& bound) { return bound.non_finite == 0 && std::isfinite(bound.extent); }
+
+/// The middle between the lowest and the highest number that a component has where triangles are, so that rows can be
+/// centred: a far offset must not cost precision.
+double centre_of(const VariableView& variable, int component, const std::vector<char>& used) {
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (std::size_t vertex = 0; vertex < used.size(); ++vertex) {
+        if (!used[vertex]) continue;
         const double value = value_at(variable, vertex, component);
+        if (!std::isfinite(value)) continue;
         lowest = std::min(lowest, value);
         highest = std::max(highest, value);
     }
-    return lowest + (highest - lowest) / 2;
+    return lowest <= highest ? lowest + (highest - lowest) / 2 : 0;
 }
 
-void fill(const Variable& variable, const RowGroup& group, double unit, std::size_t width,
-          const std::vector<std::uint32_t>& inputs, std::vector<double>& rows) {
+void fill(const VariableView& variable, const RowGroup& group, double unit, std::size_t width,
+          const std::vector<std::uint32_t>& inputs, const std::vector<char>& used, std::vector<double>& rows) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const std::size_t vertices = rows.size() / width;
     for (int component = 0; component < group.count; ++component) {
-        const double centre = centre_of(variable, component);
+        const double centre = centre_of(variable, component, used);
         const auto column = static_cast<std::size_t>(group.first + component);
-        for (std::size_t vertex = 0; vertex < vertices; ++vertex)
-            rows[vertex * width + column] =
-                (value_at(variable, inputs.empty() ? vertex : inputs[vertex], component) - centre) / unit;
+        for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
+            const std::size_t input = inputs.empty() ? vertex : inputs[vertex];
+            if (!used[input]) continue;
+            const double value = (value_at(variable, input, component) - centre) / unit;
+            rows[vertex * width + column] = std::isfinite(value) ? value : nan;
+        }
     }
 }
 
@@ -68,25 +78,26 @@ void Rows::place_groups() {
 
 Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* focus,
            const std::vector<std::uint32_t>& inputs)
-    : multipliers_(focus, inputs) {
-    const auto variable = [&](std::size_t i) -> const Variable& {
-        return i == 0 ? mesh.position : mesh.variables[i - 1];
-    };
+    : multipliers_(mesh, focus, inputs) {
     double margin = 0;
     for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-        groups_.push_back({0, variable(i).components, i, std::isfinite(bounds[i].absolute)});
-        units_.push_back(unit_of(bounds[i]));
-        margin = std::max(margin, rounding_margin(bounds[i]));
+        const ResolvedBound& bound = bounds[i];
+        groups_.push_back({0, variable_of(mesh, i).components, i, std::isfinite(bound.absolute), is_finite(bound)});
+        units_.push_back(unit_of(bound));
+        margin = std::max(margin, rounding_margin(bound));
     }
     place_groups();
     limit_ = 1 - margin / multipliers_.least();
+    const std::vector<char> used = find_used_vertices(mesh);
     const std::size_t vertices = inputs.empty() ? vertex_count(mesh) : inputs.size();
     values_.resize(vertices * static_cast<std::size_t>(width_));
     for (const RowGroup& group : groups_)
-        fill(variable(group.variable), group, unit(group), static_cast<std::size_t>(width_), inputs, values_);
+        fill(variable_of(mesh, group.variable), group, unit(group), static_cast<std::size_t>(width_), inputs, used,
+             values_);
 }
 
 double rounding_margin(const ResolvedBound& bound) {
+    if (std::isinf(bound.absolute)) return 0;
     return operations * std::numeric_limits<double>::epsilon() * bound.extent / bound.absolute;
 }
 

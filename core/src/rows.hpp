@@ -16,11 +16,12 @@ struct RowGroup {
     int first = 0, count = 0;   ///< components [first, first + count) of the row
     std::uint32_t variable = 0; ///< 0 is position, i + 1 the mesh's variable i
     bool bounded = true;        ///< a free variable stands in units of its scale and holds nothing back
+    bool finite = true;         ///< whether all of it are numbers; else it is free, and NaN stands where it is none
 };
 
 /// Every vertex as one row of numbers measured in bounds: position first, then the variables, each component centred and
 /// divided by its variable's bound. Every check of the promise becomes "norm of each group ≤ 1", without units. Free
-/// variables are divided by their extent instead.
+/// variables are divided by their extent instead. Vertices that no triangle uses have zeros.
 ///
 /// For the inner loops (MeasuredRows) what is bounded stands together, in pairs: variables with several components, each from
 /// the beginning of a pair on, then all scalars; but the first scalars stand in the halves of pairs that those leave. Behind
@@ -68,7 +69,7 @@ private:
 };
 
 /// How far rounding can push an error across the bound, as a ratio to the bound: an error is a difference of interpolated
-/// values, a few dozen operations on numbers no larger than the extent.
+/// values, a few dozen operations on numbers no larger than the extent. 0 where the variable is free.
 double rounding_margin(const ResolvedBound& bound);
 
 /// Above this margin a bound is refused as too fine: the promise would rest on rounding noise.

@@ -51,7 +51,8 @@ std::size_t sides_of(const Sides& sides, std::size_t triangle) { return sides.em
 double area(const Mesh& mesh, const Sides& sides) {
     double sum = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        sum += static_cast<double>(sides_of(sides, t)) * area(mesh, mesh.triangles[t]);
+        if (!repeats_vertex(mesh.triangles[t]))
+            sum += static_cast<double>(sides_of(sides, t)) * area(mesh, mesh.triangles[t]);
     return sum;
 }
 

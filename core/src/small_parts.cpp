@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "used_vertices.hpp"
+
 namespace meshbound {
 namespace {
 
@@ -41,8 +43,10 @@ Sets find_parts(const Mesh& mesh, const Surface& surface) {
         parts.join(corner(3 * slot), corner(3 * slot + 1));
         parts.join(corner(3 * slot), corner(3 * slot + 2));
     }
-    std::vector<std::uint32_t> by_place(surface.input_count());
-    std::iota(by_place.begin(), by_place.end(), 0U);
+    const std::vector<char> used = find_used_vertices(mesh);
+    std::vector<std::uint32_t> by_place;
+    for (std::uint32_t vertex = 0; vertex < used.size(); ++vertex)
+        if (used[vertex]) by_place.push_back(vertex);
     const auto place = [&](std::uint32_t vertex) {
         const glm::dvec3 p = place_of(mesh, vertex);
         return std::array{p.x, p.y, p.z};

@@ -40,8 +40,18 @@ void TrackedErrors::for_each_corner(std::uint32_t slot, const Visit& visit) cons
     }
 }
 
+/// Whether a variable has numbers at all corners of a triangle, and so all over it.
+bool TrackedErrors::has_numbers(std::uint32_t slot, const RowGroup& group) const {
+    if (group.finite) return true;
+    for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h)
+        for (int i = group.first; i < group.first + group.count; ++i)
+            if (std::isnan(rows_[surface_.origin(h)][i])) return false;
+    return true;
+}
+
 void TrackedErrors::on_triangle(std::uint32_t slot, std::vector<ErrorRange>& ranges) const {
     ranges.assign(rows_.groups().size(), {});
+    for (const RowGroup& group : rows_.groups()) ranges[group.variable].known = has_numbers(slot, group);
     const auto position = [&](std::uint32_t i) { return rows_.position(surface_.origin(3 * slot + i)); };
     const glm::dvec3 area = glm::cross(position(1) - position(0), position(2) - position(0));
     const glm::dvec3 normal = glm::length(area) > 0 ? glm::normalize(area) : area;
@@ -54,6 +64,7 @@ void TrackedErrors::on_triangle(std::uint32_t slot, std::vector<ErrorRange>& ran
                 sign += group.variable == 0 ? -difference * normal[i] : difference;
             }
             ErrorRange& range = ranges[group.variable];
+            range.known = range.known && !std::isnan(square);
             range.largest = std::max(range.largest, std::sqrt(square));
             range.ratio = std::max(range.ratio, std::sqrt(square) / multiplier);
             range.lowest = std::min(range.lowest, sign);

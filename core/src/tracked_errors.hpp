@@ -22,6 +22,7 @@ public:
 private:
     template <class Visit>
     void for_each_corner(std::uint32_t slot, const Visit& visit) const;
+    bool has_numbers(std::uint32_t slot, const RowGroup& group) const;
 
     const Rows& rows_;
     const Surface& surface_;

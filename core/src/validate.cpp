@@ -1,15 +1,17 @@
 #include "meshbound/validate.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <unordered_set>
 
 #include <glm/geometric.hpp>
 
+#include "non_finite.hpp"
 #include "one_sided.hpp"
 #include "orientation.hpp"
 #include "removal.hpp"
 #include "repeats_vertex.hpp"
+#include "used_vertices.hpp"
 
 namespace meshbound {
 namespace {
@@ -27,11 +29,11 @@ constexpr std::size_t most_variables = std::numeric_limits<decltype(Verdict::var
 std::string quoted(const std::string& name) { return "“" + name + "”"; }
 
 Status check_sizes(const Mesh& mesh) {
-    if (mesh.position.components != 3 || value_count(mesh.position) % 3 != 0)
+    if (value_count(mesh.position) % 3 != 0)
         return {Fault::bad_coordinates,
                 "The position has " + std::to_string(value_count(mesh.position)) +
                     " numbers; it needs three for each vertex.",
-                "position",
+                std::string(position_name),
                 {}};
     if (vertex_count(mesh) > most_vertices || mesh.triangles.size() > most_triangles)
         return {Fault::too_large, "The mesh has more vertices or triangles than 32-bit indices can name.", "", {}};
@@ -67,26 +69,13 @@ Status check_triangles(const Mesh& mesh) {
     return {};
 }
 
-/// The index of the first value that is NaN or infinite, or the number of values.
-std::size_t first_non_finite(const Variable& variable) {
-    return std::visit(
-        [](const auto& values) {
-            std::size_t i = 0;
-            while (i < values.size() && std::isfinite(values[i])) ++i;
-            return i;
-        },
-        variable.values);
-}
-
-Status check_finite(const Variable& variable, Fault fault) {
-    const std::size_t bad = first_non_finite(variable);
-    if (bad == value_count(variable)) return {};
-    const std::size_t vertex = bad / static_cast<std::size_t>(variable.components);
-    const int component = static_cast<int>(bad % static_cast<std::size_t>(variable.components));
-    const char* what = std::isnan(value_at(variable, vertex, component)) ? "not a number" : "infinite";
-    return {fault,
-            "The variable " + quoted(variable.name) + " is " + what + " at vertex " + std::to_string(vertex) + ".",
-            variable.name, vertex};
+/// A surface is somewhere. What stands at vertices that are no part of it does not matter, nor what variables hold: that
+/// matters to their bounds (see resolve_bounds).
+Status check_places(const Mesh& mesh, const std::vector<char>& used) {
+    for (std::size_t vertex = 0; vertex < used.size(); ++vertex)
+        if (used[vertex] && !is_finite_at(mesh.position, vertex))
+            return non_finite_at(Fault::non_finite_position, mesh.position, vertex);
+    return {};
 }
 
 Status check_variable(const Variable& variable, std::size_t index, std::size_t vertices) {
@@ -104,11 +93,11 @@ Status check_variable(const Variable& variable, std::size_t index, std::size_t v
                     " values; " + std::to_string(vertices) + " vertices with " + std::to_string(variable.components) +
                     " components need " + std::to_string(needed) + ".",
                 variable.name, index};
-    return check_finite(variable, Fault::non_finite_value);
+    return {};
 }
 
 Status check_names(const Mesh& mesh) {
-    std::unordered_set<std::string> names = {"position", "*"};
+    std::unordered_set<std::string> names = {std::string(position_name), "*"};
     for (std::size_t i = 0; i < mesh.variables.size(); ++i)
         if (!names.insert(mesh.variables[i].name).second)
             return {Fault::duplicate_name,
@@ -125,33 +114,27 @@ bool has_zero_area(const Mesh& mesh, const glm::uvec3& triangle) {
     return glm::cross(p[1] - p[0], p[2] - p[0]) == glm::dvec3(0);
 }
 
-Oddities find_oddities(const Mesh& mesh) {
+Oddities find_oddities(const Mesh& mesh, const std::vector<char>& used) {
     Oddities odd;
-    std::vector<bool> used(vertex_count(mesh), false);
-    for (const glm::uvec3& triangle : mesh.triangles) {
-        if (repeats_vertex(triangle)) {
-            ++odd.repeated_vertex_triangles;
-            continue;
-        }
-        if (has_zero_area(mesh, triangle)) ++odd.zero_area_triangles;
-        for (int corner = 0; corner < 3; ++corner) used[triangle[corner]] = true;
-    }
-    for (const bool is_used : used)
-        if (!is_used) ++odd.unused_vertices;
+    for (const glm::uvec3& triangle : mesh.triangles)
+        if (repeats_vertex(triangle)) ++odd.repeated_vertex_triangles;
+        else if (has_zero_area(mesh, triangle)) ++odd.zero_area_triangles;
+    odd.unused_vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
     return odd;
 }
 
 } // namespace
 
 Status validate(const Mesh& mesh, Oddities* oddities) {
-    Status status = check_sizes(mesh);
-    if (status.ok()) status = check_triangles(mesh);
-    if (status.ok()) status = check_finite(mesh.position, Fault::non_finite_position);
-    for (std::size_t i = 0; status.ok() && i < mesh.variables.size(); ++i)
-        status = check_variable(mesh.variables[i], i, vertex_count(mesh));
-    if (status.ok()) status = check_names(mesh);
-    if (status.ok() && oddities) *oddities = find_oddities(mesh);
-    return status;
+    if (Status status = check_sizes(mesh); !status.ok()) return status;
+    if (Status status = check_triangles(mesh); !status.ok()) return status;
+    const std::vector<char> used = find_used_vertices(mesh);
+    if (Status status = check_places(mesh, used); !status.ok()) return status;
+    for (std::size_t i = 0; i < mesh.variables.size(); ++i)
+        if (Status status = check_variable(mesh.variables[i], i, vertex_count(mesh)); !status.ok()) return status;
+    if (Status status = check_names(mesh); !status.ok()) return status;
+    if (oddities) *oddities = find_oddities(mesh, used);
+    return {};
 }
 
 void find_turned(const Mesh& mesh, Oddities& oddities) {

@@ -35,8 +35,8 @@ Mesh coarse_numbers() {
     Mesh mesh = meshes::torus(32, 16);
     meshes::add_usual_fields(mesh);
     const auto coarse = [](double x) { return std::round(x * 0x1p20) * 0x1p-20; };
-    meshes::map_values(mesh.position, coarse);
-    for (Variable& variable : mesh.variables) meshes::map_values(variable, coarse);
+    meshes::map_values(mesh.position.values, coarse);
+    for (Variable& variable : mesh.variables) meshes::map_values(variable.values, coarse);
     return mesh;
 }
 
@@ -57,10 +57,10 @@ TEST_P(Invariance, ScalingByPowersOfTwoChangesNothing) {
         SCOPED_TRACE(scale);
         for (const Mesh& mesh : {coarse_numbers(), meshes::in_single(coarse_numbers())}) {
             Mesh scaled = mesh;
-            meshes::map_values(scaled.position, [scale](double x) { return x * scale; });
+            meshes::map_values(scaled.position.values, [scale](double x) { return x * scale; });
             expect_same_outcome(mesh, scaled);
             for (Variable& variable : scaled.variables)
-                meshes::map_values(variable, [scale](double x) { return x / scale; });
+                meshes::map_values(variable.values, [scale](double x) { return x / scale; });
             expect_same_outcome(mesh, scaled);
         }
     }
@@ -70,7 +70,7 @@ TEST_P(Invariance, MovingChangesNothing) {
     const Mesh mesh = coarse_numbers();
     Mesh moved = meshes::mapped(mesh, [](glm::dvec3 p) { return p + glm::dvec3(0x1p20, -0x1p17, 12345); });
     expect_same_outcome(mesh, moved);
-    for (Variable& variable : moved.variables) meshes::map_values(variable, [](double x) { return x - 1000; });
+    for (Variable& variable : moved.variables) meshes::map_values(variable.values, [](double x) { return x - 1000; });
     expect_same_outcome(mesh, moved);
 }
 
@@ -90,7 +90,7 @@ TEST_P(Invariance, FarFromTheOriginThePromiseStillHolds) {
     Mesh mesh = meshes::torus(32, 16);
     meshes::add_usual_fields(mesh);
     mesh = meshes::mapped(mesh, [](glm::dvec3 p) { return p + glm::dvec3(3e6, -2e6, 1e6); });
-    for (Variable& variable : mesh.variables) meshes::map_values(variable, [](double x) { return x + 1e5; });
+    for (Variable& variable : mesh.variables) meshes::map_values(variable.values, [](double x) { return x + 1e5; });
     for (const Mesh& far : {mesh, meshes::in_single(mesh)}) promise::expect_everything(far, reduce(far));
 }
 

@@ -27,9 +27,7 @@ using meshes::Mesh;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double& value(meshbound::Variable& variable, std::size_t index) {
-    return std::get<std::vector<double>>(variable.values)[index];
-}
+double& value(auto& variable, std::size_t index) { return std::get<std::vector<double>>(variable.values)[index]; }
 
 Mesh plane_with(const std::function<double(glm::dvec3)>& field, int columns = 8, int rows = 8) {
     Mesh mesh = meshes::plane(columns, rows);
@@ -118,8 +116,8 @@ TEST(Judge, KeepsItsMeasureOverSixtyOrdersOfMagnitude) {
     value(peak.variables[0], 40) = 1.5;
     for (const double unit : {1e-30, 1.0, 1e30}) {
         Mesh flat_scaled = flat, peak_scaled = peak;
-        meshes::map_values(flat_scaled.variables[0], [unit](double x) { return x * unit; });
-        meshes::map_values(peak_scaled.variables[0], [unit](double x) { return x * unit; });
+        meshes::map_values(flat_scaled.variables[0].values, [unit](double x) { return x * unit; });
+        meshes::map_values(peak_scaled.variables[0].values, [unit](double x) { return x * unit; });
         EXPECT_NEAR(judge::judge(peak_scaled, flat_scaled, {0.01, 0.1 * unit}).ratio(), 5, 1e-6) << unit;
     }
 }

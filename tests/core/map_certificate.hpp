@@ -19,7 +19,7 @@ using meshbound::MapCrossing;
 using meshbound::MapPlace;
 using meshbound::Mesh;
 using meshbound::Reduction;
-using meshbound::Variable;
+using meshbound::VariableView;
 using Edge = std::pair<std::uint32_t, std::uint32_t>; // lower vertex first
 
 /// Of barycentric coordinates, some units in the last place.
@@ -108,7 +108,7 @@ public:
     }
 
     double error_at_crossing(std::size_t variable, const MapCrossing& x) const {
-        const auto between = [](const Variable& of, glm::uvec2 ends, double share, int c) {
+        const auto between = [](const VariableView& of, glm::uvec2 ends, double share, int c) {
             return (1 - share) * value_at(of, ends.x, c) + share * value_at(of, ends.y, c);
         };
         return length(variable, [&](int c) {
@@ -117,10 +117,8 @@ public:
     }
 
 private:
-    const Variable& original(std::size_t i) const { return i == 0 ? mesh_.position : mesh_.variables[i - 1]; }
-    const Variable& reduced(std::size_t i) const {
-        return i == 0 ? reduction_.mesh.position : reduction_.mesh.variables[i - 1];
-    }
+    VariableView original(std::size_t i) const { return variable_of(mesh_, i); }
+    VariableView reduced(std::size_t i) const { return variable_of(reduction_.mesh, i); }
     template <class Difference>
     double length(std::size_t variable, const Difference& difference) const {
         double square = 0;

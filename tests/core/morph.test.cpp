@@ -47,7 +47,7 @@ double area(const Mesh& mesh) {
     return sum;
 }
 
-const Variable& variable(const Mesh& mesh, std::size_t i) { return i == 0 ? mesh.position : mesh.variables[i - 1]; }
+VariableView variable(const Mesh& mesh, std::size_t i) { return variable_of(mesh, i); }
 
 /// Rounding of values in the mesh's precision, as a share of a variable's extent.
 double rounding(const Mesh& mesh) {
@@ -160,7 +160,7 @@ protected:
     static void expect_no_cracks(const Step& step, const Morph& morph) {
         Mesh joined;
         joined.triangles = morph.triangles;
-        joined.position = morph.finer.variables[0];
+        joined.position.values = morph.finer.variables[0].values;
         const meshes::Topology before = meshes::topology(step.finer), after = meshes::topology(joined);
         EXPECT_EQ(after.components, before.components);
         EXPECT_EQ(after.boundary_loops, before.boundary_loops);

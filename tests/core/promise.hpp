@@ -64,7 +64,7 @@ inline void expect_judge_agrees(const Mesh& mesh, const Reduction& reduction, st
 }
 
 /// Same precision, same bits (a negative zero is not a zero).
-inline bool same_bits(const meshbound::Variable& one, const meshbound::Variable& other) {
+inline bool same_bits(const meshbound::VariableView& one, const meshbound::VariableView& other) {
     return one.name == other.name && one.components == other.components && one.values.index() == other.values.index() &&
            std::visit(
                [&other](const auto& values) {
@@ -78,7 +78,7 @@ inline bool same_bits(const meshbound::Variable& one, const meshbound::Variable&
 inline bool same_bits(const Mesh& one, const Mesh& other) {
     return one.triangles == other.triangles && same_bits(one.position, other.position) &&
            std::equal(one.variables.begin(), one.variables.end(), other.variables.begin(), other.variables.end(),
-                      [](const auto& a, const auto& b) { return same_bits(a, b); });
+                      [](const meshbound::Variable& a, const meshbound::Variable& b) { return same_bits(a, b); });
 }
 
 /// The vertices are some of the original's, in rising order, with all their values.

@@ -197,8 +197,8 @@ public:
     /// The largest errors at the corners are those reported.
     void expect_reported_errors() const {
         for (std::size_t i = 0; i <= mesh_.variables.size(); ++i) {
-            const Variable& original = i == 0 ? mesh_.position : mesh_.variables[i - 1];
-            const Variable& reduced = i == 0 ? reduction_.mesh.position : reduction_.mesh.variables[i - 1];
+            const VariableView original = variable_of(mesh_, i);
+            const VariableView reduced = variable_of(reduction_.mesh, i);
             double largest = 0;
             for_each_corner([&](const SegmentationCell& cell, std::uint32_t corner) {
                 const std::vector<double> there =
@@ -223,7 +223,7 @@ private:
         for (int i = 0; i < 3; ++i) ++at[{triangle[i], triangle[(i + 1) % 3]}];
     }
 
-    static std::vector<double> mixed(const Variable& variable, const glm::uvec3& triangle, const glm::dvec3& weight) {
+    static std::vector<double> mixed(const VariableView& variable, const glm::uvec3& triangle, const glm::dvec3& weight) {
         std::vector<double> sum(static_cast<std::size_t>(variable.components), 0);
         for (int i = 0; i < 3; ++i)
             for (std::size_t c = 0; c < sum.size(); ++c)

@@ -86,7 +86,7 @@ function figure({ sample, description, percents, drawn }: PaperCase, { mesh, uni
   const range = (name: string) => {
     const variable = mesh.variables.find((candidate) => candidate.name === name);
     if (!variable) throw new Error(`${sample} has no variable ${name}.`);
-    const [{ lowest, highest }] = spanOf(variable).components;
+    const [{ lowest, highest }] = spanOf(variable, mesh.triangles).components;
     return `${name}, ${shortNumber(lowest)} … ${shortNumber(highest)}${unitText(units[name])}`;
   };
   const title = (level: string) => (level === 'original' ? 'original' : `${level} %`);

@@ -28,8 +28,8 @@ async function line(name: string, mesh: Mesh, words: string, bound: number, boun
 }
 
 /** What a relative bound could be relative to. */
-function lengthsOf({ position }: Mesh): [string, number][] {
-  const { components, extent } = spanOf({ name: 'position', components: 3, values: position });
+function lengthsOf({ position, triangles }: Mesh): [string, number][] {
+  const { components, extent } = spanOf({ name: 'position', components: 3, values: position }, triangles);
   const sides = components.map(({ lowest, highest }) => highest - lowest);
   return [
     ['diagonal of the box (ours)', extent],

@@ -68,7 +68,7 @@ std::vector<std::uint32_t> part_along_seams(Bytes& bytes, Mesh& mesh, std::uint3
 }
 
 /// The values of the old vertices, then those of the vertices that stand on them.
-void stand_on(Variable& position, const std::vector<std::uint32_t>& stands_on) {
+void stand_on(Position& position, const std::vector<std::uint32_t>& stands_on) {
     const std::size_t vertices = value_count(position) / 3;
     std::vector<std::uint32_t> all(vertices);
     for (std::uint32_t v = 0; v < vertices; ++v) all[v] = v;
@@ -135,7 +135,7 @@ Mesh make_mesh(Bytes& bytes) {
     std::vector<std::uint32_t> stands_on;
     if (bytes.once_in(3)) stands_on = part_along_seams(bytes, mesh, vertices);
     mesh.position =
-        bytes.byte() % 2 ? make_variable(bytes, "position", 3, vertices) : make_terrain(bytes, columns, rows);
+        {(bytes.byte() % 2 ? make_variable(bytes, "", 3, vertices) : make_terrain(bytes, columns, rows)).values};
     stand_on(mesh.position, stands_on);
     const std::size_t all = vertex_count(mesh);
     for (int i = bytes.byte() % 3; i > 0; --i)

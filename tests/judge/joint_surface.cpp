@@ -9,10 +9,6 @@
 namespace judge {
 namespace {
 
-const meshbound::Variable& numbered(const meshbound::Mesh& mesh, std::size_t variable) {
-    return variable == 0 ? mesh.position : mesh.variables[variable - 1];
-}
-
 bool has_vertex_twice(const glm::uvec3& t) { return t.x == t.y || t.y == t.z || t.z == t.x; }
 
 std::vector<double> joint_rows(const meshbound::Mesh& mesh, const JointSpace& space) {
@@ -23,9 +19,10 @@ std::vector<double> joint_rows(const meshbound::Mesh& mesh, const JointSpace& sp
     std::vector<double> rows(vertices * dimensions);
     std::size_t column = 0;
     for (std::size_t i = 0; i < space.variables.size(); ++i) {
-        const meshbound::Variable& variable = numbered(mesh, space.variables[i]);
+        const meshbound::VariableView variable = variable_of(mesh, space.variables[i]);
         if (variable.components != space.components[i] || value_count(variable) != vertices * variable.components)
-            throw std::invalid_argument("the two surfaces do not carry the same variables: " + variable.name);
+            throw std::invalid_argument("the two surfaces do not carry the same variables: " +
+                                        std::string(variable.name));
         for (int c = 0; c < variable.components; ++c, ++column)
             for (std::size_t v = 0; v < vertices; ++v)
                 rows[v * dimensions + column] = (value_at(variable, v, c) - space.origin[column]) / space.bounds[i];
@@ -38,16 +35,19 @@ std::vector<double> joint_rows(const meshbound::Mesh& mesh, const JointSpace& sp
 JointSpace joint_space(const meshbound::Mesh& mesh, const std::vector<double>& bounds) {
     if (bounds.size() != mesh.variables.size() + 1)
         throw std::invalid_argument("one bound for position, one a variable");
+    // A vertex of the surface: any other may hold no numbers.
+    const auto first = std::find_if_not(mesh.triangles.begin(), mesh.triangles.end(), has_vertex_twice);
+    const bool has_surface = first != mesh.triangles.end();
     JointSpace space;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         if (!(bounds[i] > 0)) throw std::invalid_argument("a bound must be positive");
         if (std::isinf(bounds[i])) continue;
-        const meshbound::Variable& variable = numbered(mesh, i);
+        const meshbound::VariableView variable = variable_of(mesh, i);
         space.variables.push_back(i);
         space.components.push_back(variable.components);
         space.bounds.push_back(bounds[i]);
         for (int c = 0; c < variable.components; ++c)
-            space.origin.push_back(mesh.triangles.empty() ? 0 : value_at(variable, mesh.triangles.front().x, c));
+            space.origin.push_back(has_surface ? value_at(variable, first->x, c) : 0);
     }
     return space;
 }

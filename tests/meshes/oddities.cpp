@@ -26,9 +26,11 @@ Mesh welded(const Mesh& mesh) {
     return result;
 }
 
-void add_between(meshbound::Variable& variable, const glm::uvec3& t, const std::array<double, 3>& barycentric) {
+/// Of a variable, the geometry or another one.
+template <class Kind>
+void add_between(Kind& variable, const glm::uvec3& t, const std::array<double, 3>& barycentric) {
     auto& values = std::get<std::vector<double>>(variable.values);
-    for (int c = 0; c < variable.components; ++c) {
+    for (int c = 0; c < meshbound::VariableView(variable).components; ++c) {
         double value = 0;
         for (int i = 0; i < 3; ++i) value += barycentric[i] * value_at(variable, t[i], c);
         values.push_back(value);

@@ -41,7 +41,8 @@ bool may_flip(const Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t 
 }
 
 /// The variable with its vertices in a new order: vertex i becomes new_index[i].
-meshbound::Variable reordered(const meshbound::Variable& variable, const std::vector<std::uint32_t>& new_index) {
+template <class Kind>
+Kind reordered(const Kind& variable, const std::vector<std::uint32_t>& new_index) {
     std::vector<std::uint32_t> old_index(new_index.size());
     for (std::uint32_t v = 0; v < new_index.size(); ++v) old_index[new_index[v]] = v;
     return gather(variable, old_index);
@@ -54,17 +55,18 @@ std::vector<std::uint32_t> permutation(std::size_t count, Random& random) {
     return order;
 }
 
-meshbound::Variable rounded(const meshbound::Variable& variable) {
+std::vector<float> rounded(const meshbound::Values& numbers) {
     std::vector<float> values;
-    std::visit([&](const auto& from) { values.assign(from.begin(), from.end()); }, variable.values);
-    return {variable.name, variable.components, std::move(values)};
+    std::visit([&](const auto& from) { values.assign(from.begin(), from.end()); }, numbers);
+    return values;
 }
 
 } // namespace
 
 Mesh in_single(const Mesh& mesh) {
-    Mesh single{rounded(mesh.position), mesh.triangles, {}, mesh.regions};
-    for (const meshbound::Variable& variable : mesh.variables) single.variables.push_back(rounded(variable));
+    Mesh single = mesh;
+    single.position.values = rounded(mesh.position.values);
+    for (meshbound::Variable& variable : single.variables) variable.values = rounded(variable.values);
     return single;
 }
 
@@ -82,12 +84,12 @@ Mesh mapped(const Mesh& mesh, const std::function<glm::dvec3(glm::dvec3)>& map) 
     return result;
 }
 
-void map_values(meshbound::Variable& variable, const std::function<double(double)>& map) {
+void map_values(meshbound::Values& numbers, const std::function<double(double)>& map) {
     std::visit(
         [&](auto& values) {
             for (auto& value : values) value = static_cast<std::decay_t<decltype(value)>>(map(value));
         },
-        variable.values);
+        numbers);
 }
 
 Mesh reversed(const Mesh& mesh) {
@@ -151,17 +153,18 @@ Mesh jittered(const Mesh& mesh, double size, std::uint64_t seed) {
 }
 
 Mesh joined(const Mesh& one, const Mesh& other) {
-    const auto append = [](meshbound::Variable& to, const meshbound::Variable& from) {
+    const auto append = [](meshbound::Values& to, const meshbound::Values& from) {
         std::visit(
             [&](auto& values) {
-                const auto& more = std::get<std::decay_t<decltype(values)>>(from.values);
+                const auto& more = std::get<std::decay_t<decltype(values)>>(from);
                 values.insert(values.end(), more.begin(), more.end());
             },
-            to.values);
+            to);
     };
     Mesh result = one;
-    append(result.position, other.position);
-    for (std::size_t i = 0; i < one.variables.size(); ++i) append(result.variables[i], other.variables[i]);
+    append(result.position.values, other.position.values);
+    for (std::size_t i = 0; i < one.variables.size(); ++i)
+        append(result.variables[i].values, other.variables[i].values);
     const auto shift = static_cast<std::uint32_t>(vertex_count(one));
     for (const glm::uvec3& t : other.triangles) result.triangles.push_back(t + shift);
     return result;

@@ -19,7 +19,7 @@ Mesh in_single(const Mesh& mesh);
 /// The positions under a map, in the same precision.
 Mesh mapped(const Mesh& mesh, const std::function<glm::dvec3(glm::dvec3)>& map);
 /// Every component of a variable under a map, in the same precision. "position" is a variable, too.
-void map_values(meshbound::Variable& variable, const std::function<double(double)>& map);
+void map_values(meshbound::Values& numbers, const std::function<double(double)>& map);
 /// All triangles the other way round.
 Mesh reversed(const Mesh& mesh);
 /// Vertices, triangles and the corners of each triangle in random order.

@@ -1,31 +1,53 @@
 import { describe, expect, test } from 'vitest';
-import { asBounds, defaultBounds, largestFraction, moveAll, parsePercent } from '../../web/session/bound-setting.ts';
+import {
+  areFirst,
+  asBounds,
+  defaultBounds,
+  largestFraction,
+  moveAll,
+  parsePercent,
+  settingsFrom,
+} from '../../web/session/bound-setting.ts';
 import { fieldText } from '../../web/session/rounding.ts';
 
 describe('bound settings', () => {
   test('begin at 1 % in space and 3 % in every variable', () => {
-    expect(asBounds(defaultBounds(['position', 'pressure']))).toEqual({
+    expect(asBounds(defaultBounds([{ name: 'position' }, { name: 'pressure' }]))).toEqual({
       position: { relative: 0.01 },
       pressure: { relative: 0.03 },
     });
   });
 
+  test('leave identifiers free, unless a bound names them', () => {
+    const variable = { components: 1, extent: 9, magnitude: 9, constant: false };
+    const ids = { ...variable, name: 'ids', kind: 'identifier' } as const;
+    const pressure = { ...variable, name: 'pressure' };
+    const first = defaultBounds([pressure, ids]);
+    expect(asBounds(first)).toEqual({ pressure: { relative: 0.03 }, ids: 'free' });
+    expect(areFirst(first, [pressure, ids])).toBe(true);
+    expect(areFirst({ ...first, ids: { ...first.ids, free: false } }, [pressure, ids])).toBe(false);
+
+    const all = { '*': { relative: 0.05 } };
+    expect(asBounds(settingsFrom(all, [pressure, ids]))).toEqual({ pressure: { relative: 0.05 }, ids: 'free' });
+    expect(asBounds(settingsFrom({ ...all, ids: { absolute: 2 } }, [pressure, ids])).ids).toEqual({ absolute: 2 });
+  });
+
   test('survive variables with names that objects have a meaning for', () => {
-    const settings = defaultBounds(['position', '__proto__', 'constructor']);
+    const settings = defaultBounds(['position', '__proto__', 'constructor'].map((name) => ({ name })));
     expect(Object.keys(settings)).toEqual(['position', '__proto__', 'constructor']);
     expect(Object.keys(asBounds(moveAll(settings, 0.1)))).toEqual(['position', '__proto__', 'constructor']);
   });
 
   test('a free variable has no bound, and has its old one again when it is bounded', () => {
-    const settings = { ...defaultBounds(['position', 't']), t: { fraction: 0.05, free: true } };
+    const settings = { ...defaultBounds([{ name: 'position' }, { name: 't' }]), t: { fraction: 0.05, free: true } };
     expect(asBounds(settings).t).toBe('free');
     expect(asBounds({ ...settings, t: { ...settings.t, free: false } }).t).toEqual({ relative: 0.05 });
   });
 
   test('moving all keeps their proportions and brings the largest to the given one', () => {
-    const moved = moveAll(defaultBounds(['position', 't']), 0.06);
+    const moved = moveAll(defaultBounds([{ name: 'position' }, { name: 't' }]), 0.06);
     expect(asBounds(moved)).toEqual({ position: { relative: 0.02 }, t: { relative: 0.06 } });
-    expect(asBounds(moveAll(moved, 0.03))).toEqual(asBounds(defaultBounds(['position', 't'])));
+    expect(asBounds(moveAll(moved, 0.03))).toEqual(asBounds(defaultBounds([{ name: 'position' }, { name: 't' }])));
   });
 
   test('the largest one is looked for among those that hold', () => {

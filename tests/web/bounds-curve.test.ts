@@ -16,7 +16,7 @@ async function reduce(_: Mesh, { bounds }: ReduceOptions): Promise<Reduction> {
 
 const resting = {
   surface: { mesh: { variables: [] } },
-  bounds: defaultBounds(['position', 'pressure']),
+  bounds: defaultBounds([{ name: 'position' }, { name: 'pressure' }]),
   method: { errors: 'tracked', cost: 'introduced' },
   keeping: nothingKept,
   reduced: { result: { report: { triangles: { before: 1000, after: 33 } } } },

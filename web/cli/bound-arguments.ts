@@ -1,10 +1,10 @@
 import type { Bound, Mesh } from '../../wasm/index.ts';
 import { listed, quoted } from '../formats/wording.ts';
-import { type Bounds, readBound } from '../session/bound-text.ts';
+import { type Bounded, type Bounds, readBound } from '../session/bound-text.ts';
 import { messageOf } from '../session/failure.ts';
 import { Fault, UsageFault } from './fault.ts';
 
-export { type Bounds, boundOf } from '../session/bound-text.ts';
+export { type Bounded, type Bounds, boundOf } from '../session/bound-text.ts';
 
 /** The bounds of a command line, `NAME=1%`, `NAME=0.2` or `NAME=free` each; of two with one name the later one holds. */
 export function parseBounds(texts: readonly string[]): Bounds {
@@ -30,9 +30,10 @@ function faultIn(text: string, reason: string): UsageFault {
 }
 
 /** The variables of a mesh that no bound reaches, not even as free. */
-export function unnamed(bounds: Bounds, { variables }: Mesh): string[] {
-  const names = ['position', ...variables.map(({ name }) => name)];
-  return Object.hasOwn(bounds, '*') ? [] : names.filter((name) => !Object.hasOwn(bounds, name));
+export function unnamed(bounds: Bounds, { variables }: Mesh): Bounded[] {
+  const all: Bounded[] = [{ name: 'position' }, ...variables];
+  const reached = ({ kind }: Bounded) => kind !== 'identifier' && Object.hasOwn(bounds, '*');
+  return all.filter((variable) => !reached(variable) && !Object.hasOwn(bounds, variable.name));
 }
 
 /** Throws a Fault for names that no variable of the surface has. */

@@ -1,5 +1,6 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
 import { counted } from '../formats/wording.ts';
+import { usedPoints } from '../surface/used-points.ts';
 import { scaleOf, spanOf } from '../surface/value-span.ts';
 import { type Bounds, boundOf, requireKnownBounds } from './bound-arguments.ts';
 import { Fault, UsageFault } from './fault.ts';
@@ -21,11 +22,13 @@ export interface Comparable {
  */
 export function comparable(original: OpenedSurface, reduced: OpenedSurface, bounds: Bounds): Comparable {
   requireKnownBounds(bounds, original);
-  const names = original.mesh.variables.map(({ name }) => name).filter((name) => boundOf(bounds, name) !== 'free');
-  if (names.length === 0 && boundOf(bounds, 'position') === 'free') throw new UsageFault('Every variable is free.');
+  const bounded = original.mesh.variables.filter((variable) => boundOf(bounds, variable) !== 'free');
+  const names = bounded.map(({ name }) => name);
+  if (names.length === 0 && boundOf(bounds, { name: 'position' }) === 'free')
+    throw new UsageFault('Every variable is free.');
   const [one, other] = [onlyWith(names, original), onlyWith(names, reduced)];
   requireSameComponents(one, other, reduced.path);
-  const limits = [positionOf(one), ...one.variables].map((variable) => absoluteBound(bounds, variable));
+  const limits = [positionOf(one), ...one.variables].map((variable) => absoluteBound(bounds, variable, one.triangles));
   return { one, other, names: ['position', ...names], limits };
 }
 
@@ -39,8 +42,10 @@ export function multipliersOf({ path, mesh }: OpenedSurface, name: string): Vari
   if (focus.components !== 1) {
     throw new Fault(`${path}: “${name}” has ${focus.components} components; what multiplies the bounds has one.`);
   }
-  const bad = focus.values.findIndex((value) => !(value > 0 && Number.isFinite(value)));
-  if (bad < 0) return focus.values;
+  const used = usedPoints(mesh.triangles, focus.values.length);
+  const bad = focus.values.findIndex((value, point) => used[point] === 1 && !(value > 0 && Number.isFinite(value)));
+  // The judge wants a number at every point, that of an unused one counts for nothing.
+  if (bad < 0) return focus.values.map((value, point) => (used[point] === 1 ? value : 1));
   throw new Fault(`${path}: “${name}” cannot multiply the bounds: it is ${focus.values[bad]} at point ${bad}.`);
 }
 
@@ -51,7 +56,7 @@ function onlyWith(names: readonly string[], { path, mesh }: OpenedSurface): Mesh
     if (!variable) throw new Fault(`${path}: there is no variable “${name}”, so its bound cannot be checked.`);
     return variable;
   });
-  for (const variable of [positionOf(mesh), ...variables]) requireFinite(path, variable);
+  for (const variable of [positionOf(mesh), ...variables]) requireFinite(path, variable, mesh.triangles);
   if (!hasSurface(mesh)) throw new Fault(`${path}: there is no triangle with three distinct vertices.`);
   return { ...mesh, variables };
 }
@@ -60,8 +65,8 @@ function positionOf({ position }: Mesh): Variable {
   return { name: 'position', components: 3, values: position };
 }
 
-function requireFinite(path: string, variable: Variable): void {
-  const { nan, infinite } = spanOf(variable);
+function requireFinite(path: string, variable: Variable, triangles: Uint32Array): void {
+  const { nan, infinite } = spanOf(variable, triangles);
   const faulty = nan + infinite;
   if (faulty === 0) return;
   const values = `${counted(faulty, 'value')} that ${faulty === 1 ? 'is' : 'are'} not finite`;
@@ -85,8 +90,8 @@ function requireSameComponents(original: Mesh, reduced: Mesh, path: string): voi
 }
 
 /** In the variable's unit. */
-function absoluteBound(bounds: Bounds, variable: Variable): number {
-  const bound = boundOf(bounds, variable.name);
+function absoluteBound(bounds: Bounds, variable: Variable, triangles: Uint32Array): number {
+  const bound = boundOf(bounds, variable);
   if (bound === 'free') return Number.POSITIVE_INFINITY;
-  return 'absolute' in bound ? bound.absolute : bound.relative * scaleOf(spanOf(variable));
+  return 'absolute' in bound ? bound.absolute : bound.relative * scaleOf(spanOf(variable, triangles));
 }

@@ -2,6 +2,7 @@ import type { Variable } from '../../wasm/index.ts';
 import { withoutRegionNotes } from '../formats/region-notes.ts';
 import { counted, grouped, listed, printable, quoted } from '../formats/wording.ts';
 import { topologyOf } from '../surface/topology.ts';
+import { usedPoints } from '../surface/used-points.ts';
 import { spanOf } from '../surface/value-span.ts';
 import { parseArguments } from './arguments.ts';
 import type { Command } from './command.ts';
@@ -34,10 +35,11 @@ Examples:
 function inspection({ path, format, mesh, units, componentNames, notes, regions, unfitRegions }: OpenedSurface) {
   const vertices = mesh.position.length / 3;
   const describe = (variable: Variable) => {
-    const { components, extent, magnitude, constant, nan, infinite } = spanOf(variable);
+    const { components, extent, magnitude, constant, nan, infinite } = spanOf(variable, mesh.triangles);
     return {
       name: variable.name,
       components: variable.components,
+      kind: variable.kind ?? 'quantity',
       componentNames: componentNames[variable.name] ?? null,
       unit: units[variable.name] ?? null,
       precision: variable.values instanceof Float64Array ? 'double' : 'single',
@@ -55,6 +57,7 @@ function inspection({ path, format, mesh, units, componentNames, notes, regions,
     format,
     triangles: mesh.triangles.length / 3,
     vertices,
+    unusedVertices: usedPoints(mesh.triangles, vertices).filter((used) => used === 0).length,
     ...topologyOf(mesh.triangles, vertices),
     variables: [position, ...mesh.variables].map(describe),
     cellData: [
@@ -80,6 +83,7 @@ function countsText(found: Inspection): string {
   const counts: [string, number][] = [
     ['triangles', found.triangles],
     ['vertices', found.vertices],
+    ...unusedRow(found),
     ['components', found.components],
     ['boundary loops', found.boundaryLoops],
     ['non-manifold edges', found.nonManifoldEdges],
@@ -92,6 +96,11 @@ function countsText(found: Inspection): string {
 /** Where triangles face different ways `reduce` turns them, so that such edges are no trouble. */
 function discordantRow({ discordantEdges }: Inspection): [string, number][] {
   return discordantEdges > 0 ? [['  between triangles facing different ways', discordantEdges]] : [];
+}
+
+/** What stands at such vertices counts for nothing, in the table below either. */
+function unusedRow({ unusedVertices }: Inspection): [string, number][] {
+  return unusedVertices > 0 ? [['  that no triangle uses', unusedVertices]] : [];
 }
 
 const heading = ['variable', 'components', 'lowest', 'highest', 'extent', 'NaN', 'infinite'];
@@ -128,6 +137,12 @@ function print(found: Inspection): void {
   console.log(countsText(found));
   console.log();
   console.log(textTable([heading, ...found.variables.flatMap(variableRows)]));
+  const identifiers = found.variables.filter(({ kind }) => kind === 'identifier').map(({ name }) => name);
+  if (identifiers.length > 0) {
+    console.log(
+      `\n  Identifiers: ${listed(identifiers)}. Only a bound of that name is about them; “*” leaves them free.`,
+    );
+  }
   const constant = found.variables.filter((each) => each.constant).map(({ name }) => name);
   if (constant.length > 0) {
     console.log(

@@ -3,7 +3,7 @@ import { counted, grouped, listed } from '../formats/wording.ts';
 import type { ReportOptions } from '../session/report-json.ts';
 import { whyLittleWent } from '../session/why-little-went.ts';
 import { littleWentSentence } from '../words/little-went.ts';
-import { boundOf } from './bound-arguments.ts';
+import { type Bounded, boundOf } from './bound-arguments.ts';
 import { type RegionNames, regionLines } from './region-text.ts';
 import { removedText, roundedUpText, textTable } from './text-table.ts';
 import { turnLines } from './turn-text.ts';
@@ -30,9 +30,9 @@ export function reportText(report: Report, options: AskedFor, names?: RegionName
 }
 
 function variableRows({ variables, featureSize }: Report, { bounds }: AskedFor): string[][] {
-  return variables.map(({ name, constant, bound, error, ratio }) => {
-    const given = boundOf(bounds, name);
-    if (given === 'free') return [name, 'free', '', roundedUpText(error), ''];
+  return variables.map(({ name, kind, constant, bound, error, ratio }) => {
+    const given = boundOf(bounds, { name, kind });
+    if (given === 'free') return [name, 'free', '', Number.isNaN(error) ? 'not known' : roundedUpText(error), ''];
     const limited = name === 'position' && featureSize !== undefined;
     const share = limited ? 'limited' : shareText(given, constant);
     return [name, roundedUpText(bound), share, roundedUpText(error), roundedUpText(ratio)];
@@ -55,10 +55,22 @@ function focusLines({ focus }: AskedFor): string[] {
   return focus ? [`bounds are multiplied by “${focus}”: error/bound compares with the bound at each place`] : [];
 }
 
-/** A sentence about the variables that no bound was given for; none where there are none. */
-export function freeNotes(names: string[]): string[] {
-  if (names.length === 0) return [];
-  return [
-    `No bound was given for ${listed(names)}: free, so nothing is promised of ${names.length === 1 ? 'it' : 'them'}.`,
-  ];
+/** Sentences about the variables that no bound was given for; none where there are none. */
+export function freeNotes(variables: readonly Bounded[]): string[] {
+  const [identifiers, others] = [true, false].map((wanted) =>
+    variables.filter(({ kind }) => (kind === 'identifier') === wanted).map(({ name }) => name),
+  );
+  const notes: string[] = [];
+  if (others.length > 0) notes.push(`No bound was given for ${listed(others)}: ${nothingPromised(others)}.`);
+  if (identifiers.length > 0) {
+    const are = identifiers.length === 1 ? 'is an identifier' : 'are identifiers';
+    notes.push(
+      `${listed(identifiers)} ${are}, which a bound for all variables is not about: ${nothingPromised(identifiers)}.`,
+    );
+  }
+  return notes;
+}
+
+function nothingPromised({ length }: readonly string[]): string {
+  return `free, so nothing is promised of ${length === 1 ? 'it' : 'them'}`;
 }

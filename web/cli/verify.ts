@@ -1,6 +1,8 @@
 import { MeshboundError } from '../../wasm/errors.ts';
 import { judgeAccuracy, loadJudge, type Verdict } from '../../wasm/judge-module.ts';
 import type { Mesh } from '../../wasm/types.ts';
+import { unusedNotes } from '../session/oddity-notes.ts';
+import { usedPoints } from '../surface/used-points.ts';
 import { spanOf } from '../surface/value-span.ts';
 import { parseArguments } from './arguments.ts';
 import { parseBounds, unnamed } from './bound-arguments.ts';
@@ -54,6 +56,10 @@ const signature = {
   positionals: ['ORIGINAL', 'REDUCED'],
 } as const;
 
+function unusedIn({ triangles, position }: Mesh): number {
+  return usedPoints(triangles, position.length / 3).filter((used) => used === 0).length;
+}
+
 /** So many points take hours; more is a mistake in writing. */
 const mostSamples = 1e9;
 
@@ -94,10 +100,10 @@ async function run(args: string[]): Promise<number> {
     const found = { original: original.path, reduced: reduced.path, ...findings, within };
     console.log(JSON.stringify(found, undefined, 2));
   } else if (!values.quiet) {
-    for (const { path, notes } of [original, reduced]) sayNotes(path, notes);
+    for (const { path, notes, mesh } of [original, reduced]) sayNotes(path, [...notes, ...unusedNotes(unusedIn(mesh))]);
     sayNotes(original.path, freeNotes(unnamed(bounds, original.mesh)));
     const position = { name: 'position', components: 3, values: original.mesh.position };
-    console.log(verdictText(findings, spanOf(position).components));
+    console.log(verdictText(findings, spanOf(position, original.mesh.triangles).components));
     console.log(within ? 'The bounds hold at every sample.' : 'A bound is broken.');
   }
   return within ? exitStatus.done : exitStatus.boundBroken;

@@ -134,7 +134,7 @@ export class CutChoice extends LitElement {
     if (!surface) return { lowest: 0, highest: 0 };
     if (this.#box?.of !== surface) {
       const position = { name: 'position', components: 3, values: surface.mesh.position };
-      this.#box = { of: surface, spans: spanOf(position).components };
+      this.#box = { of: surface, spans: spanOf(position, surface.mesh.triangles).components };
     }
     return this.#box.spans[axes.indexOf(axis)];
   }

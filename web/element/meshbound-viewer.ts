@@ -156,7 +156,7 @@ export class MeshboundViewer extends ViewerProperties {
 
   /**
    * The bounds as text: `position: 1%; pressure: 3%; velocity: 0.2`, in percent of the variable's extent or in its unit;
-   * `free` is no bound, `*` stands for every variable not named. A variable that none reaches is free. What cannot be a
+   * `free` is no bound, `*` stands for every variable not named but identifiers. A variable that none reaches is free. What cannot be a
    * bound is refused. Default: 1 % in space and 3 % in every variable. Read, the bounds in force.
    *
    * @attr
@@ -261,7 +261,7 @@ export class MeshboundViewer extends ViewerProperties {
     const { surface, bounds } = this.session.state;
     const text: Partial<Record<StateAttribute, string | null>> = {
       src: surface?.address,
-      bounds: surface && !areFirst(bounds) ? this.bounds : null,
+      bounds: surface && !areFirst(bounds, surface.variables) ? this.bounds : null,
     };
     for (const name of viewAttributes) text[name] = asAttribute(this[propertyOf(name)]);
     const said = stateAttributes.filter((name) => typeof text[name] === 'string' && text[name] !== firstState[name]);

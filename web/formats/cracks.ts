@@ -112,7 +112,7 @@ function partnersOf(mesh: Mesh, moved: number[], fraction: number): Uint32Array 
   for (const [point, place] of places.entries()) {
     if (taken.has(place)) inPlace.set(place, [...(inPlace.get(place) ?? []), point]);
   }
-  const limits = mesh.variables.map((variable) => fraction * spanOf(variable).extent);
+  const limits = mesh.variables.map((variable) => fraction * spanOf(variable, mesh.triangles).extent);
   const agree = (one: number, other: number) =>
     mesh.variables.every((variable, i) => areNear(variable, one, other, limits[i]));
   for (const point of moved) {

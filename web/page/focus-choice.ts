@@ -1,4 +1,5 @@
 import { html, LitElement, nothing } from 'lit';
+import type { Variable } from '../../wasm/types.ts';
 import { controlsStyle } from '../element/controls-style.ts';
 import type { FocusPoint } from '../session/focus-point.ts';
 import { type Keeping, nothingKept } from '../session/keeping.ts';
@@ -112,7 +113,7 @@ export class FocusChoice extends LitElement {
     if (!surface) return [];
     if (this.#able?.of !== surface) {
       const able = surface.mesh.variables.filter(
-        (variable) => variable.components === 1 && spanOf(variable).components[0].lowest > 0,
+        (variable) => variable.components === 1 && isAboveZero(variable, surface.mesh.triangles),
       );
       this.#able = { of: surface, names: able.map(({ name }) => name) };
     }
@@ -122,6 +123,11 @@ export class FocusChoice extends LitElement {
   #change(detail: Partial<Keeping>): void {
     this.dispatchEvent(new CustomEvent('keeping-change', { bubbles: true, composed: true, detail }));
   }
+}
+
+function isAboveZero(variable: Variable, triangles: Uint32Array): boolean {
+  const { components, nan, infinite } = spanOf(variable, triangles);
+  return components[0].lowest > 0 && nan + infinite === 0;
 }
 
 customElements.define('meshbound-focus-choice', FocusChoice);

@@ -253,7 +253,7 @@ export class LockChoice extends LitElement {
     if (!surface) return { lowest: 0, highest: 1 };
     if (this.#span?.of !== surface) {
       const position = { name: 'position', components: 3, values: surface.mesh.position };
-      this.#span = { of: surface, along: spanOf(position).components };
+      this.#span = { of: surface, along: spanOf(position, surface.mesh.triangles).components };
     }
     return this.#span.along[axis];
   }

@@ -1,6 +1,6 @@
 import type { VariableExtent } from '../../wasm/inspection.ts';
 import type { Bound } from '../../wasm/types.ts';
-import { type Bounds, boundOf } from './bound-text.ts';
+import { type Bounded, type Bounds, boundOf } from './bound-text.ts';
 import { notANumber, readDecimal } from './decimal.ts';
 import { fieldText } from './rounding.ts';
 
@@ -20,10 +20,13 @@ export type BoundSettings = Readonly<Record<string, BoundSetting>>;
 const positionFraction = 0.01;
 const variableFraction = 0.03;
 
-export function defaultBounds(variables: readonly string[]): BoundSettings {
-  const settings: [string, BoundSetting][] = variables.map((name) => [
+export function defaultBounds(variables: readonly (Bounded & Pick<VariableExtent, 'nonFinite'>)[]): BoundSettings {
+  const settings: [string, BoundSetting][] = variables.map(({ name, kind, nonFinite }) => [
     name,
-    { fraction: name === 'position' ? positionFraction : variableFraction, free: false },
+    {
+      fraction: name === 'position' ? positionFraction : variableFraction,
+      free: kind === 'identifier' || nonFinite !== undefined,
+    },
   ]);
   // From entries, so that a variable may be called `__proto__`.
   return Object.fromEntries(settings);
@@ -36,18 +39,22 @@ export function sameSetting(one: BoundSetting, other: BoundSetting): boolean {
 }
 
 /** Whether these are the bounds that a surface starts with. */
-export function areFirst(settings: BoundSettings): boolean {
-  const first = defaultBounds(Object.keys(settings));
+export function areFirst(
+  settings: BoundSettings,
+  variables: readonly (Bounded & Pick<VariableExtent, 'nonFinite'>)[],
+): boolean {
+  const first = defaultBounds(variables);
   return Object.entries(settings).every(
-    ([name, { fraction, absolute, free }]) => !free && absolute === undefined && fraction === first[name].fraction,
+    ([name, { fraction, absolute, free }]) =>
+      free === first[name].free && absolute === undefined && fraction === first[name].fraction,
   );
 }
 
 /** The settings that state `bounds`: a variable that none reaches is free. */
 export function settingsFrom(bounds: Bounds, variables: readonly VariableExtent[]): BoundSettings {
-  const first = defaultBounds(variables.map(({ name }) => name));
+  const first = defaultBounds(variables);
   const settings = variables.map((variable): [string, BoundSetting] => {
-    const bound = boundOf(bounds, variable.name);
+    const bound = boundOf(bounds, variable);
     if (bound === 'free') return [variable.name, { ...first[variable.name], free: true }];
     if ('relative' in bound) return [variable.name, { fraction: bound.relative, free: false }];
     return [variable.name, inUnit(bound.absolute, variable)];

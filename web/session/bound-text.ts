@@ -1,8 +1,8 @@
-import type { Bound } from '../../wasm/types.ts';
+import type { Bound, Variable } from '../../wasm/types.ts';
 import { quoted } from '../formats/wording.ts';
 import { readDecimal } from './decimal.ts';
 
-/** Bounds by variable name; `position` is the geometry, `*` every variable not named. */
+/** Bounds by variable name; `position` is the geometry, `*` every variable not named but identifiers. */
 export type Bounds = Readonly<Record<string, Bound>>;
 
 /** A text that states no bounds. The message is a sentence for people. */
@@ -82,8 +82,11 @@ function inHundreds(text: string, power: 1 | -1): string {
   return `${digits}e${Number(exponent) + 2 * power}`;
 }
 
-/** The bound that holds for a variable; none is free. */
-export function boundOf(bounds: Bounds, name: string): Bound {
+/** What tells which bound is a variable's. */
+export type Bounded = Pick<Variable, 'name' | 'kind'>;
+
+/** The bound that holds for a variable; none is free. One for all is not about identifiers. */
+export function boundOf(bounds: Bounds, { name, kind }: Bounded): Bound {
   if (Object.hasOwn(bounds, name)) return bounds[name];
-  return Object.hasOwn(bounds, '*') ? bounds['*'] : 'free';
+  return kind !== 'identifier' && Object.hasOwn(bounds, '*') ? bounds['*'] : 'free';
 }

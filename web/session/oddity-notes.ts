@@ -16,10 +16,7 @@ export function oddityNotes({
     [zeroAreaTriangles, 'without area: kept as part of the surface.'],
   ];
   const notes = sentences.filter(([count]) => count > 0).map(([count, text]) => `${triangles(count)} ${text}`);
-  if (unusedVertices > 0) {
-    const vertices = unusedVertices === 1 ? '1 vertex belongs' : `${unusedVertices} vertices belong`;
-    notes.push(`${vertices} to no triangle: left out of the result.`);
-  }
+  notes.push(...unusedNotes(unusedVertices));
   if (turnedTriangles > 0) {
     const facing = turnedTriangles === 1 ? 'faces' : 'face';
     notes.push(`${triangles(turnedTriangles)} ${facing} the other side than most around them: turned round.`);
@@ -43,6 +40,13 @@ export function oddityNotes({
     );
   }
   return notes;
+}
+
+/** A sentence on points of no surface; none where there are none. */
+export function unusedNotes(count: number): string[] {
+  if (count === 0) return [];
+  const vertices = count === 1 ? '1 vertex belongs' : `${count} vertices belong`;
+  return [`${vertices} to no triangle: left out of the result.`];
 }
 
 function triangles(count: number): string {

@@ -55,15 +55,19 @@ export function reportJson(
   } = report;
   const { turnedTriangles, unorientableParts, copiedTriangles, twoSidedTriangles } = report.oddities;
   const { cells, foldedCells } = report;
-  const variables = report.variables.map(({ name, components, extent, constant, bound, error, ratio }) => ({
-    name,
-    components,
-    extent,
-    constant,
-    bound: Number.isFinite(bound) ? bound : null,
-    error,
-    ratio: Number.isFinite(bound) ? ratio : null,
-  }));
+  const variables = report.variables.map(
+    ({ name, components, kind = 'quantity', nonFinite = null, extent, constant, bound, error, ratio }) => ({
+      name,
+      components,
+      kind,
+      extent,
+      constant,
+      bound: Number.isFinite(bound) ? bound : null,
+      error: Number.isNaN(error) ? null : error,
+      nonFinite,
+      ratio: Number.isFinite(bound) ? ratio : null,
+    }),
+  );
   const regions = report.regions.map(({ label, ...rest }) => ({ label, name: names?.get(label), ...rest }));
   const vanishedRegions = regions.filter((region) => region.triangles.after === 0).map(({ label }) => label);
   const facts = {

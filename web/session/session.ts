@@ -256,7 +256,7 @@ export class Session extends EventTarget {
   /** What is wanted. Where it names a variable that there is not, it is refused: without a bound anything would be allowed. */
   #firstBounds(variables: VariableExtent[]): BoundSettings {
     const names = variables.map(({ name }) => name);
-    if (!this.#wanted) return defaultBounds(names);
+    if (!this.#wanted) return defaultBounds(variables);
     const missing = Object.keys(this.#wanted).filter((name) => name !== '*' && !names.includes(name));
     if (missing.length > 0) this.setFault(namesOfBounds, unknownVariable(missing, names));
     return settingsFrom(this.#wanted, variables);

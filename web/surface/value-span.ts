@@ -1,4 +1,5 @@
 import type { Variable } from '../../wasm/types.ts';
+import { usedPoints } from './used-points.ts';
 
 /** The values of one component; lowest and highest of the finite ones, infinite and empty where there is none. */
 export interface ComponentSpan {
@@ -22,13 +23,16 @@ export interface ValueSpan {
 /** A variable whose extent is below this fraction of its magnitude is constant up to rounding (core: constant_extent). */
 const constantExtent = 1e-6;
 
-export function spanOf({ name, components, values }: Variable): ValueSpan {
+/** Of the points that triangles use, as the core measures. */
+export function spanOf({ name, components, values }: Variable, triangles: Uint32Array): ValueSpan {
+  const used = usedPoints(triangles, values.length / components);
   const spans = Array.from({ length: components }, () => ({
     lowest: Number.POSITIVE_INFINITY,
     highest: Number.NEGATIVE_INFINITY,
   }));
   let [nan, infinite] = [0, 0];
   for (let i = 0; i < values.length; i++) {
+    if (!used[Math.floor(i / components)]) continue;
     const value = values[i];
     if (!Number.isFinite(value)) {
       if (Number.isNaN(value)) nan++;

@@ -38,7 +38,8 @@ struct SurfaceMap {
     std::vector<MapCrossing> crossings; ///< grouped by original edge, each group with s rising
 };
 
-/// The errors of one variable at the vertices of the input, in its unit.
+/// The errors of one variable at the vertices of the input, in its unit; NaN where it is not known, because the variable is NaN
+/// or infinite there, in the original or in the result, and 0 at vertices that no triangle uses.
 struct VertexErrors {
     std::vector<float> error; ///< length of (original - reduced)
     /// Original minus reduced; of position the distance along the reduced triangle's normal, positive where the reduced

@@ -15,8 +15,11 @@ namespace meshbound {
 struct VariableReport {
     std::string name;
     int components = 1;
+    VariableKind kind = VariableKind::quantity;
     ResolvedBound bound;
-    double error = 0; ///< no point of the surface has a larger error than this
+    /// No point of the surface has a larger error than this. NaN where that is not known: the variable is NaN or infinite
+    /// somewhere (ResolvedBound::non_finite), or its values lie farther apart than a double holds; so it is free.
+    double error = 0;
     double ratio = 0; ///< largest of error / bound, multiplied as it is there; 1 is the limit; 0 where it is free
     std::size_t refused = 0; ///< vertices still there because removing them would break this variable's bound
 };

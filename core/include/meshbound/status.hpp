@@ -11,12 +11,12 @@ namespace meshbound {
 enum class Fault {
     none,
     no_triangles,        ///< the mesh has no triangle with three distinct vertices
-    bad_coordinates,     ///< the number of coordinates is not a multiple of three, or position has not 3 components
+    bad_coordinates,     ///< the number of coordinates is not a multiple of three
     bad_index,           ///< a triangle names a vertex that does not exist
-    non_finite_position, ///< NaN or infinity among the coordinates, or as their distance
+    non_finite_position, ///< NaN or infinity among the coordinates of vertices that triangles use, or as their distance
     bad_components,      ///< a variable has no or too many components
     wrong_value_count,   ///< a variable has fewer or more values than the vertices need
-    non_finite_value,    ///< the same among a variable's values; excluding that variable mends it
+    non_finite_value,    ///< the same of a variable with a bound; without a bound it is carried along as it is
     empty_name,          ///< a variable without a name
     duplicate_name,      ///< two variables with one name, or a variable named "position" or "*"
     unknown_variable,    ///< a bound for a variable that the mesh has not

@@ -15,7 +15,8 @@ struct Waypoint {
     Mesh mesh;
     std::vector<std::uint32_t> vertices; ///< for each of its vertices the index in the original, rising
     /// Of the original, and of what was *spent*: VariableReport::error, which no point of the surface exceeds, in the unit of
-    /// the variable. Bounds are those that the reduction was asked for; it counts no refusals and no turned triangles.
+    /// the variable, NaN where it is not known; such a variable stays free. Bounds are those that the reduction was asked for;
+    /// it counts no refusals and no turned triangles.
     Report report;
 };
 
