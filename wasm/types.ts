@@ -3,6 +3,8 @@ export interface Variable {
   name: string;
   components: number;
   values: Float32Array | Float64Array;
+  /** What it is: the bound of `*` does not reach identifiers, which are free unless named. Default: quantity. */
+  kind?: 'quantity' | 'identifier';
 }
 
 /** An oriented triangle mesh that carries data. */
@@ -107,6 +109,8 @@ export interface VariableReport {
   ratio: number;
   /** Vertices still there because removing them would break this variable's bound. */
   refused: number;
+  /** What the format of the file takes of the bound; `error` includes it. Set by whoever writes the file. */
+  rounding?: number;
 }
 
 /** How much there is of a region, see `Mesh.regions`; one without triangles has vanished. */

@@ -1,5 +1,5 @@
 import type { Bound, Report } from '../../wasm/index.ts';
-import { counted, grouped, listed } from '../formats/wording.ts';
+import { counted, grouped, listed, quoted } from '../formats/wording.ts';
 import type { ReportOptions } from '../session/report-json.ts';
 import { boundOf } from './bound-arguments.ts';
 import { type RegionNames, regionLines } from './region-text.ts';
@@ -20,6 +20,7 @@ export function reportText(report: Report, options: AskedFor, names?: RegionName
   return [
     `${grouped(before)} -> ${counted(after, 'triangle')} (${removed} % removed) in ${seconds.toFixed(2)} s`,
     textTable([['variable', 'bound', '', 'error', 'error/bound'], ...variableRows(report, options)]),
+    ...roundingLines(report),
     ...focusLines(options),
     ...turnLines(report),
     ...regionLines(regions, names),
@@ -39,6 +40,14 @@ function variableRows({ variables, featureSize }: Report, { bounds }: AskedFor):
 function shareText(given: Exclude<Bound, 'free'>, constant: boolean): string {
   if (!('relative' in given)) return '';
   return `${roundedUpText(100 * given.relative)} %${constant ? ' of magnitude' : ''}`;
+}
+
+/** What the format of the file takes of the bounds; nothing where it holds every number. */
+function roundingLines({ variables }: Report): string[] {
+  const rounded = variables.flatMap(({ name, rounding }) =>
+    rounding ? [`${quoted(name)} by up to ${roundedUpText(rounding)}`] : [],
+  );
+  return rounded.length > 0 ? [`the file rounds ${rounded.join(', ')}: counted in the error`] : [];
 }
 
 /** Why an error may be larger than its bound in the table; nothing where it may not. */

@@ -1,6 +1,7 @@
 import { type Accessor, Document, type Extension, Logger, type Node, Primitive, WebIO } from '@gltf-transform/core';
 import type { Mesh, Variable } from '../../wasm/types.ts';
 import { type GltfExtras, semanticFor } from './gltf-variables.ts';
+import { localOrigin } from './local-origin.ts';
 import type { WriteOptions } from './surface.ts';
 
 const types = new Map<number, 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4'>([
@@ -11,7 +12,7 @@ const types = new Map<number, 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4'>([
 ]);
 
 /**
- * Writes a GLB file in single precision. `normal`, `color` and `uv` take the places that glTF has for them if their values
+ * Writes a GLB file in single precision; a surface far from the origin is moved near to it, and its node back (in doubles). `normal`, `color` and `uv` take the places that glTF has for them if their values
  * fit; all else becomes attributes `_NAME`, with name, unit and component names in the extras. A variable of more than four
  * components becomes an attribute for each.
  */
@@ -50,17 +51,19 @@ export function addNode(document: Document, mesh: Mesh, options: WriteOptions): 
     if (extras) accessor.setExtras({ meshbound: extras });
     primitive.setAttribute(semantic, accessor);
   };
+  const origin = options.origin ?? localOrigin(mesh);
   const unit = labelsOf('position', options);
   add(
     'POSITION',
-    Float32Array.from(mesh.position),
+    Float32Array.from(mesh.position, (value, i) => value - origin[i % 3]),
     3,
     Object.keys(unit).length > 0 ? { name: 'position', ...unit } : undefined,
   );
   const used = new Set(['POSITION']);
   for (const variable of mesh.variables) addVariable(variable, used, options, add);
   primitive.setIndices(document.createAccessor().setBuffer(buffer).setType('SCALAR').setArray(indicesOf(mesh)));
-  return document.createNode().setMesh(document.createMesh().addPrimitive(primitive));
+  const node = document.createNode().setMesh(document.createMesh().addPrimitive(primitive));
+  return origin.some((value) => value !== 0) ? node.setTranslation(origin) : node;
 }
 
 function labelsOf(name: string, { units = {}, componentNames = {} }: WriteOptions): Omit<GltfExtras, 'name'> {

@@ -54,15 +54,18 @@ export function reportJson(
   } = report;
   const { turnedTriangles, unorientableParts } = report.oddities;
   const { cells, foldedCells } = report;
-  const variables = report.variables.map(({ name, components, extent, constant, bound, error, ratio }) => ({
-    name,
-    components,
-    extent,
-    constant,
-    bound: Number.isFinite(bound) ? bound : null,
-    error,
-    ratio: Number.isFinite(bound) ? ratio : null,
-  }));
+  const variables = report.variables.map(
+    ({ name, components, extent, constant, bound, error, ratio, rounding = 0 }) => ({
+      name,
+      components,
+      extent,
+      constant,
+      bound: Number.isFinite(bound) ? bound : null,
+      error,
+      ratio: Number.isFinite(bound) ? ratio : null,
+      rounding,
+    }),
+  );
   const regions = report.regions.map(({ label, ...rest }) => ({ label, name: names?.get(label), ...rest }));
   const vanishedRegions = regions.filter((region) => region.triangles.after === 0).map(({ label }) => label);
   const facts = {
