@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { reduce } from '../../wasm/index.ts';
 import { loadJudge } from '../../wasm/judge-module.ts';
 import type { Bound, Mesh } from '../../wasm/types.ts';
+import { findingsOf } from '../../web/cli/verdict.ts';
 import { originIn, roundingsOf } from '../../web/formats/file-rounding.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import type { Format } from '../../web/formats/surface.ts';
@@ -54,7 +55,7 @@ async function judged(original: Mesh, reduced: Mesh): Promise<number> {
     [],
   );
   if (!verdict.ok) throw new Error(JSON.stringify(verdict.failure));
-  return JSON.parse(JSON.stringify(verdict.value)).ratio;
+  return findingsOf(verdict.value, names, Object.values(limits)).ratio;
 }
 
 const placed = wavedSquare(6_000_000.1, 2_000_000.06, 305);

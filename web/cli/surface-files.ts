@@ -67,7 +67,7 @@ export function encodeSurface(
   const labels = { units, componentNames, regionNames, regionName, cellData };
   return named(path, async () => ({
     bytes: await writeSurface(format, mesh, { ...labels, gzip, origin }),
-    losses: await lossesOf(format, mesh, labels),
+    losses: await lossesOf(format, mesh, { ...labels, origin }),
   }));
 }
 

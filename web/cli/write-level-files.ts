@@ -33,5 +33,5 @@ async function writeTogether(
   const gzip = /\.gz$/i.test(path);
   const bytes = await named(path, () => writeLevels(levels, { units, componentNames, gzip, origin }));
   await files.write(path, bytes);
-  return [path, await lossesOf('glb', levels.levels[0].mesh)];
+  return [path, await lossesOf('glb', levels.levels[0].mesh, { origin })];
 }

@@ -14,11 +14,10 @@ export function originIn(format: Format, mesh: Mesh): Origin {
  * variables. Only corners of triangles count; a point of a triangle moves by no more than its corners do. PLY, VTP, VTK and
  * OBJ hold every number as it is.
  */
-export function roundingsOf(format: Format, mesh: Mesh): number[] {
+export function roundingsOf(format: Format, mesh: Mesh, origin: Origin = originIn(format, mesh)): number[] {
   const position = { name: 'position', components: 3, values: mesh.position };
   const variables: Variable[] = [position, ...mesh.variables];
   if (!singlePrecision.has(format)) return variables.map(() => 0);
-  const origin = originIn(format, mesh);
   return variables.map((variable, i) => largestRounding(variable, mesh.triangles, i === 0 ? origin : undefined));
 }
 

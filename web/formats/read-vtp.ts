@@ -156,7 +156,11 @@ function packingOf(root: XmlNode, appended: AppendedData | undefined, fileSize: 
 function readPiece(node: XmlNode, packing: VtkPacking, prefix: string): Piece {
   const points = countOf(node, 'NumberOfPoints');
   const position = readPoints(node, points, packing, prefix);
-  const arrays = pointArrays(node).map((array) => readPointArray(array, points, packing, prefix));
+  const declared = declaredIds(node);
+  const arrays = pointArrays(node).map((array) => {
+    const read = readPointArray(array, points, packing, prefix);
+    return { ...read, identifier: declared.has(read.name) };
+  });
   const polygons = readCells(node, 'Polys', packing, prefix);
   const strips = readCells(node, 'Strips', packing, prefix);
   return { prefix, position, arrays, polygons, strips };
@@ -190,6 +194,13 @@ function readPoints(piece: XmlNode, points: number, packing: VtkPacking, prefix:
 /** The point-data arrays that are numbers. */
 function pointArrays(piece: XmlNode): XmlNode[] {
   return childrenOf(piece, 'PointData').flatMap((parent) => childrenOf(parent, 'DataArray'));
+}
+
+/** The arrays that the file declares to be ids. */
+function declaredIds(piece: XmlNode): Set<string | undefined> {
+  return new Set(
+    childrenOf(piece, 'PointData').flatMap(({ attributes }) => [attributes.GlobalIds, attributes.PedigreeIds]),
+  );
 }
 
 function readPointArray(node: XmlNode, points: number, packing: VtkPacking, prefix: string): PointArray {

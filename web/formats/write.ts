@@ -120,7 +120,7 @@ export async function lossesOf(format: Format, mesh: Mesh, labels: LabelNames = 
   const kept = keptVariables(mesh, lost(mesh));
   sentences.push(...regionLosses(format, mesh, labels, writer));
   if (!holdsLabels) sentences.push(...labelLosses(format, kept, labels));
-  const roundings = single ? roundingsOf(format, { ...mesh, variables: kept.slice(1) }) : [];
+  const roundings = single ? roundingsOf(format, { ...mesh, variables: kept.slice(1) }, labels.origin) : [];
   const rounded = kept.flatMap(({ name }, i) =>
     roundings[i] > 0 ? [`${quoted(name)} (by up to ${roundings[i].toPrecision(2)})`] : [],
   );
