@@ -1,5 +1,6 @@
 import { type Accessor, Document, type Extension, Logger, type Node, Primitive, WebIO } from '@gltf-transform/core';
 import type { Mesh, Variable } from '../../wasm/types.ts';
+import { isByteColour } from './colours.ts';
 import { type GltfExtras, semanticFor } from './gltf-variables.ts';
 import { localOrigin } from './local-origin.ts';
 import type { WriteOptions } from './surface.ts';
@@ -42,11 +43,12 @@ export async function glbOf(
 export function addNode(document: Document, mesh: Mesh, options: WriteOptions): Node {
   const [buffer] = document.getRoot().listBuffers();
   const primitive = document.createPrimitive().setMode(Primitive.Mode.TRIANGLES);
-  const add = (semantic: string, values: Float32Array, components: number, extras?: GltfExtras) => {
+  const add = (semantic: string, values: Float32Array | Uint8Array, components: number, extras?: GltfExtras) => {
     const accessor = document
       .createAccessor()
       .setBuffer(buffer)
-      .setArray(values as Float32Array<ArrayBuffer>);
+      .setArray(values as Float32Array<ArrayBuffer> | Uint8Array<ArrayBuffer>)
+      .setNormalized(values instanceof Uint8Array);
     accessor.setType(types.get(components) ?? 'SCALAR');
     if (extras) accessor.setExtras({ meshbound: extras });
     primitive.setAttribute(semantic, accessor);
@@ -73,14 +75,16 @@ function labelsOf(name: string, { units = {}, componentNames = {} }: WriteOption
   };
 }
 
-type Add = (semantic: string, values: Float32Array, components: number, extras: GltfExtras) => void;
+type Add = (semantic: string, values: Float32Array | Uint8Array, components: number, extras: GltfExtras) => void;
 
 function addVariable(variable: Variable, used: Set<string>, options: WriteOptions, add: Add): void {
   const { name, components } = variable;
   const values = Float32Array.from(variable.values);
   const extras = { name, ...labelsOf(name, options) };
   const semantic = semanticFor({ ...variable, values });
-  if (types.has(components)) add(unique(semantic, used), values, components, extras);
+  const free = types.has(components) ? unique(semantic, used) : semantic;
+  const isBytes = /^COLOR_\d+$/.test(free) && isByteColour(variable);
+  if (types.has(components)) add(free, isBytes ? Uint8Array.from(values) : values, components, extras);
   for (let component = 0; !types.has(components) && component < components; component++) {
     const part = values.filter((_, i) => i % components === component);
     add(unique(`${semantic}_${component}`, used), part, 1, { ...extras, component });
@@ -88,8 +92,10 @@ function addVariable(variable: Variable, used: Set<string>, options: WriteOption
 }
 
 function unique(semantic: string, used: Set<string>): string {
+  // Copies are names of this project's own, which begin with an underscore.
+  const own = semantic.startsWith('_') ? semantic : `_${semantic}`;
   let free = semantic;
-  for (let copy = 2; used.has(free); copy++) free = `${semantic}__${copy}`;
+  for (let copy = 2; used.has(free); copy++) free = `${own}__${copy}`;
   used.add(free);
   return free;
 }
