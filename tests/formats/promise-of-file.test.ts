@@ -9,7 +9,7 @@ import { originIn, roundingsOf } from '../../web/formats/file-rounding.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import type { Format } from '../../web/formats/surface.ts';
 import { lossesOf, writeLevels, writeSurface } from '../../web/formats/write.ts';
-import { boundsForFile, reportOfFile } from '../../web/session/bounds-for-file.ts';
+import { boundsForFile, reportOfFile, requireKept } from '../../web/session/bounds-for-file.ts';
 
 const side = 21;
 
@@ -107,6 +107,15 @@ describe('what is promised is promised of the file', () => {
     expect(boundsForFile('vtp', placed, tight).bounds).toBe(tight);
     // What the format has no place for is lost, and takes nothing.
     expect(() => boundsForFile('stl', near, tight)).not.toThrow();
+  });
+
+  it('refuses a finished result that the rounding of a format puts beyond a bound', async () => {
+    const { mesh, report } = await reduce(placed, { bounds });
+    expect(() => requireKept('stl', mesh, report)).toThrow(/STL cannot keep the bound 0\.02 of “position”/);
+    expect(() => requireKept('vtp', mesh, report)).not.toThrow();
+    const [position, ...others] = report.variables;
+    const full = { ...report, variables: [{ ...position, ratio: 1 }, ...others] };
+    expect(() => requireKept('glb', mesh, full)).toThrow(/GLB cannot keep/);
   });
 
   it('leaves bounds alone where the format holds every number', () => {

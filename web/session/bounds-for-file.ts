@@ -50,7 +50,7 @@ function boundFor({ name, kind }: Variable, bounds: Bounds): Bound {
 function tooCoarse(format: Format, name: string, bound: number, rounding: number): FormatError {
   const message =
     `${formatNames[format]} cannot keep the bound ${bound} of ${quoted(name)}: it holds single precision, which is up to ` +
-    `${rounding.toPrecision(2)} off here. VTP, PLY and VTK hold double precision${name === 'position' ? ', OBJ too' : ''}.`;
+    `${rounding.toPrecision(2)} off. VTP, PLY and VTK hold double precision${name === 'position' ? ', OBJ too' : ''}.`;
   return new FormatError('too_coarse', message, name);
 }
 
@@ -67,4 +67,18 @@ export function reportOfFile(report: Report, { roundings }: BoundsForFile, least
     return { ...variable, bound, error, rounding, ratio: (variable.ratio * variable.bound + taken) / bound };
   });
   return { ...report, variables };
+}
+
+/**
+ * Throws a FormatError where a result as it is breaks a bound once a file of this format rounds it.
+ *
+ * @param mesh what is written
+ */
+export function requireKept(format: Format, mesh: Mesh, report: Report, leastMultiplier = 1): void {
+  const roundings = roundingsOf(format, mesh);
+  for (const [i, { name, bound, ratio }] of report.variables.entries()) {
+    const lost = format === 'stl' && i > 0;
+    if (lost || !Number.isFinite(bound) || !(roundings[i] > 0)) continue;
+    if (!(ratio * bound + roundings[i] / leastMultiplier <= bound)) throw tooCoarse(format, name, bound, roundings[i]);
+  }
 }
