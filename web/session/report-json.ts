@@ -63,7 +63,7 @@ export function reportJson(
       bound: Number.isFinite(bound) ? bound : null,
       error,
       ratio: Number.isFinite(bound) ? ratio : null,
-      rounding,
+      ...(rounding > 0 ? { rounding } : {}),
     }),
   );
   const regions = report.regions.map(({ label, ...rest }) => ({ label, name: names?.get(label), ...rest }));
