@@ -9,7 +9,7 @@ function checkValues(values: unknown, what: string): void {
 
 function checkKind(kind: unknown, name: string): void {
   if (kind !== undefined && kind !== 'quantity' && kind !== 'identifier') {
-    throw new TypeError(`The kind of "${name}" must be 'quantity' or 'identifier'.`);
+    throw new TypeError(`The kind of “${name}” must be 'quantity' or 'identifier'.`);
   }
 }
 

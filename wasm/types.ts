@@ -139,6 +139,8 @@ export interface VariableReport {
   ratio: number;
   /** Vertices still there because removing them would break this variable's bound. */
   refused: number;
+  /** What the format of the file takes of the bound; `error` includes it. Set by whoever writes the file. */
+  rounding?: number;
 }
 
 /** How much there is of a region, see `Mesh.regions`; one without triangles has vanished. */

@@ -34,7 +34,10 @@ describe.each(plyOrders)('PLY, %s', (order) => {
       return `${name} ${bits(double ? Float64Array.from(values) : Float32Array.from(values))}`;
     });
     expect(mesh.variables.map(({ name, values }) => `${name} ${bits(values)}`)).toEqual(expected);
-    expect(notes).toEqual([expect.stringMatching(/^Whole numbers in the file.*“c”.*“u”/)]);
+    expect(notes).toEqual([
+      expect.stringMatching(/^Whole numbers in the file.*“c”.*“u”/),
+      expect.stringMatching(/^Taken for identifiers.*: “big”;/),
+    ]);
   });
 
   it('reads positions in double, in whole numbers and of mixed types', async () => {

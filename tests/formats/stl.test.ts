@@ -182,7 +182,7 @@ describe('STL', () => {
   it('says beforehand what it cannot hold', async () => {
     const mesh = {
       ...smallMesh([{ name: 'p', components: 1, values: new Float32Array(4) }]),
-      position: new Float64Array(12),
+      position: new Float64Array(12).fill(0.1),
     };
     expect(await lossesOf('stl', mesh)).toEqual([
       'STL has no place for the variables “p”.',

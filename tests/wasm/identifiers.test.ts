@@ -43,6 +43,6 @@ test('levels and inspection know it', async () => {
 
 test('another kind is a TypeError', async () => {
   await expect(reduce(numbered('id' as VariableKind), { bounds })).rejects.toThrow(
-    new TypeError(`The kind of "ids" must be 'quantity' or 'identifier'.`),
+    new TypeError(`The kind of “ids” must be 'quantity' or 'identifier'.`),
   );
 });

@@ -7,9 +7,11 @@ import {
   reduceLevels,
   reduce as reduceMesh,
 } from '../../wasm/index.ts';
+import { originIn } from '../formats/file-rounding.ts';
 import { labelsWithMap, takenMapNames, triangleName, withMap } from '../formats/map-variables.ts';
 import type { Labels } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
+import { boundsForFile, reportOfFile } from '../session/bounds-for-file.ts';
 import { droppedNotes, featureNotes, nearPartsNotes, oddityNotes } from '../session/oddity-notes.ts';
 import { reportJson, type Seams } from '../session/report-json.ts';
 import { havePartsWithin } from '../surface/near-parts.ts';
@@ -27,7 +29,14 @@ import { help, parseRequest, type Request } from './reduce-arguments.ts';
 import type { RegionNames } from './region-text.ts';
 import { freeNotes, reportText } from './report.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
-import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
+import {
+  encodeSurface,
+  named,
+  type OpenedSurface,
+  openSurface,
+  outputFormat,
+  requirePlaceFor,
+} from './surface-files.ts';
 import { type FileNotes, writeLevelFiles } from './write-level-files.ts';
 
 async function openInput({
@@ -143,14 +152,34 @@ async function reduceAndWrite(
   surface: OpenedSurface,
   signal: AbortSignal,
 ): Promise<Outcome> {
-  const { levels, options } = request;
+  const { levels, options, keeping, output } = request;
   const { mesh } = surface;
+  const format = outputFormat(output);
+  // A part of every bound is the format's: what is promised is promised of the file.
+  const least = leastMultiplier(keeping, surface);
+  const [first, ...coarser] = await named(output, async () =>
+    (levels ?? [options.bounds]).map((bounds) => boundsForFile(format, mesh, bounds, least)),
+  );
+  const origin = originIn(format, mesh);
   if (!levels) {
-    const call = (settings: Omit<ReduceOptions, 'bounds'>) => reduceMesh(mesh, { ...settings, bounds: options.bounds });
-    return writeResult(files, request, surface, await callCore(surface, request, signal, call));
+    const call = (settings: Omit<ReduceOptions, 'bounds'>) => reduceMesh(mesh, { ...settings, bounds: first.bounds });
+    const reduction = await callCore(surface, request, signal, call);
+    const report = reportOfFile(reduction.report, first, least);
+    return writeResult(files, request, { ...surface, origin }, { ...reduction, report });
   }
-  const call = (settings: Omit<ReduceOptions, 'bounds'>) => reduceLevels(mesh, { ...settings, levels });
-  return writeLevels(files, request, surface, await callCore(surface, request, signal, call));
+  const parts = [first, ...coarser];
+  const call = (settings: Omit<ReduceOptions, 'bounds'>) =>
+    reduceLevels(mesh, { ...settings, levels: parts.map(({ bounds }) => bounds) });
+  const nested = await callCore(surface, request, signal, call);
+  const reported = nested.levels.map((level, i) => ({ ...level, report: reportOfFile(level.report, parts[i], least) }));
+  return writeLevels(files, request, { ...surface, origin }, { ...nested, levels: reported });
+}
+
+/** The smallest multiplier of the bounds; 1 where nothing multiplies them. What is none is for the core to refuse. */
+function leastMultiplier({ focus }: Request['keeping'], { mesh }: OpenedSurface): number {
+  const values = mesh.variables.find(({ name }) => name === focus)?.values ?? [];
+  const least = values.length > 0 ? (values as number[]).reduce((lowest, value) => Math.min(lowest, value)) : 1;
+  return least > 0 ? least : 1;
 }
 
 /** Whether nothing that was asked for keeps near parts from piercing each other. */

@@ -1,5 +1,5 @@
 import type { Bound, Report } from '../../wasm/index.ts';
-import { counted, grouped, listed } from '../formats/wording.ts';
+import { counted, grouped, listed, quoted } from '../formats/wording.ts';
 import type { ReportOptions } from '../session/report-json.ts';
 import { whyLittleWent } from '../session/why-little-went.ts';
 import { littleWentSentence } from '../words/little-went.ts';
@@ -22,6 +22,7 @@ export function reportText(report: Report, options: AskedFor, names?: RegionName
   return [
     `${grouped(before)} -> ${counted(after, 'triangle')} (${removed} removed) in ${seconds.toFixed(2)} s`,
     textTable([['variable', 'bound', '', 'error', 'error/bound'], ...variableRows(report, options)]),
+    ...roundingLines(report),
     ...focusLines(options),
     ...littleWentLines(report),
     ...turnLines(report),
@@ -48,6 +49,14 @@ function shareText(given: Exclude<Bound, 'free'>, constant: boolean): string {
 function littleWentLines(report: Report): string[] {
   const why = whyLittleWent(report);
   return why ? [littleWentSentence(why).replaceAll('\u00a0', ' ')] : [];
+}
+
+/** What the format of the file takes of the bounds; nothing where it holds every number. */
+function roundingLines({ variables }: Report): string[] {
+  const rounded = variables.flatMap(({ name, rounding }) =>
+    rounding ? [`${quoted(name)} by up to ${roundedUpText(rounding)}`] : [],
+  );
+  return rounded.length > 0 ? [`the file rounds ${rounded.join(', ')}: counted in the error`] : [];
 }
 
 /** Why an error may be larger than its bound in the table; nothing where it may not. */

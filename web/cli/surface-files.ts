@@ -12,6 +12,8 @@ export interface OpenedSurface extends SurfaceFile {
   path: string;
   /** What the array is called that holds the mesh's regions. */
   regionName?: string;
+  /** From where a GLB file of it measures places. */
+  origin?: WriteOptions['origin'];
 }
 
 /** Reads a surface, and more of its variables from the CSV file `csvPath`. Throws a Fault that names the file. */
@@ -51,14 +53,21 @@ export function outputFormat(path: string): Format {
 export function encodeSurface(
   path: string,
   mesh: Mesh,
-  { units, componentNames, regionNames, regionName, cellData }: Labels & Pick<WriteOptions, 'regionName' | 'cellData'>,
+  {
+    units,
+    componentNames,
+    regionNames,
+    regionName,
+    cellData,
+    origin,
+  }: Labels & Pick<WriteOptions, 'regionName' | 'cellData' | 'origin'>,
 ): Promise<{ bytes: Uint8Array; losses: string[] }> {
   const format = outputFormat(path);
   const gzip = /\.gz$/i.test(path);
   const labels = { units, componentNames, regionNames, regionName, cellData };
   return named(path, async () => ({
-    bytes: await writeSurface(format, mesh, { ...labels, gzip }),
-    losses: await lossesOf(format, mesh, labels),
+    bytes: await writeSurface(format, mesh, { ...labels, gzip, origin }),
+    losses: await lossesOf(format, mesh, { ...labels, origin }),
   }));
 }
 

@@ -28,10 +28,10 @@ async function writeTogether(
   files: StagedFiles,
   path: string,
   levels: Levels,
-  { units, componentNames }: OpenedSurface,
+  { units, componentNames, origin }: OpenedSurface,
 ): Promise<FileNotes> {
   const gzip = /\.gz$/i.test(path);
-  const bytes = await named(path, () => writeLevels(levels, { units, componentNames, gzip }));
+  const bytes = await named(path, () => writeLevels(levels, { units, componentNames, gzip, origin }));
   await files.write(path, bytes);
-  return [path, await lossesOf('glb', levels.levels[0].mesh)];
+  return [path, await lossesOf('glb', levels.levels[0].mesh, { origin })];
 }

@@ -5,6 +5,7 @@ import type { Format } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import { lossesOf, writeLevels, writeSurface } from '../formats/write.ts';
 import { asBounds } from '../session/bound-setting.ts';
+import { requireKept } from '../session/bounds-for-file.ts';
 import type { OpenSurface } from '../session/open-surface.ts';
 import { pointsText } from '../session/point-list.ts';
 import { reportJson } from '../session/report-json.ts';
@@ -31,18 +32,27 @@ export async function savedFile(
   kind: SavedKind,
 ): Promise<Saved> {
   const { mesh } = reduced.result;
-  if (kind === 'levels') return levelsFile(surface, levels);
+  if (kind === 'levels') return levelsFile(surface, reduced, levels);
   if (kind === 'map') return mapFile(surface, reduced);
   if (kind === 'report') {
     return { name: savedFileName(surface.name, 'report', 'json'), content: reportOf(reduced), losses: [] };
   }
   const labels = { ...surface.labels, regionName: reduced.keeping.regions ?? undefined };
+  requireKept(kind, mesh, reduced.result.report, leastMultiplier(surface, reduced));
   const content = await writeSurface(kind, mesh, labels);
   return {
     name: savedFileName(surface.name, 'reduced', kind),
     content,
     losses: await lossesOf(kind, mesh, labels),
   };
+}
+
+/** What multiplies the bounds at the least: by a variable, near a place, or both. */
+function leastMultiplier({ mesh }: OpenSurface, { keeping: { focus, focusPoint } }: Reduced): number {
+  const values = mesh.variables.find(({ name }) => name === focus)?.values ?? [];
+  let lowest = values.length > 0 ? Number.POSITIVE_INFINITY : 1;
+  for (const value of values) lowest = Math.min(lowest, value);
+  return lowest * Math.min(1, focusPoint?.factor ?? 1);
 }
 
 function reportOf({ result, bounds, method, keeping }: Reduced): string {
@@ -54,8 +64,10 @@ function reportOf({ result, bounds, method, keeping }: Reduced): string {
 }
 
 /** As one GLB file, which holds all of them. */
-async function levelsFile({ name, labels }: OpenSurface, levels: Levels | null): Promise<Saved> {
+async function levelsFile(surface: OpenSurface, reduced: Reduced, levels: Levels | null): Promise<Saved> {
+  const { name, labels } = surface;
   if (!levels) throw new Error(english.faults.noLevels);
+  for (const { mesh, report } of levels.levels) requireKept('glb', mesh, report, leastMultiplier(surface, reduced));
   const content = await writeLevels(levels, labels);
   const losses = await lossesOf('glb', levels.levels[0].mesh, labels);
   return { name: savedFileName(name, 'levels', 'glb'), content, losses };

@@ -19,6 +19,7 @@ export type FormatFault =
   | 'duplicate_name'
   | 'bad_name' // a name that the format cannot write
   | 'not_finite' // NaN, infinity, or beyond single precision, which the format cannot write
+  | 'too_coarse' // the format's precision takes more of a bound than may be
   | 'too_large'; // beyond memory, or beyond what an honest file would expand to
 
 /**

@@ -1,5 +1,6 @@
 import type { Accessor, Primitive } from '@gltf-transform/core';
 import type { Variable } from '../../wasm/types.ts';
+import { isByteColour, isColour } from './colours.ts';
 import { FormatError } from './format-error.ts';
 import { joined } from './joined-arrays.ts';
 import { type Labels, noLabels } from './surface.ts';
@@ -43,7 +44,8 @@ function variableName(semantic: string): string | undefined {
 export function semanticFor({ name, components, values }: Variable): string {
   const all = (isGood: (value: number) => boolean) => values.every(isGood);
   if (name === 'uv' && components === 2) return 'TEXCOORD_0';
-  if (name === 'color' && (components === 3 || components === 4) && all((v) => v >= 0 && v <= 1)) return 'COLOR_0';
+  const fractions = () => name === 'color' && isColour({ name, components }) && all((v) => v >= 0 && v <= 1);
+  if (isByteColour({ name, components, values }) || fractions()) return 'COLOR_0';
   if (name === 'normal' && components === 3 && areUnitVectors(values)) return 'NORMAL';
   return `_${name.toUpperCase().replace(/[^A-Z0-9]+/g, '_')}`;
 }
@@ -91,12 +93,23 @@ export function namedAttributes(
       const message = `The attribute ${quoted(semantic)} of ${where} has ${accessor.getCount()} elements, but POSITION ${points}.`;
       throw new FormatError('count_mismatch', message, where);
     }
-    const part = { extras, size: accessor.getElementSize(), values: numbersOf(accessor) };
+    const part = {
+      extras,
+      size: accessor.getElementSize(),
+      values: byteColours(accessor, semantic) ?? numbersOf(accessor),
+    };
     const others = parts.get(name);
     if (others) others.push(part);
     else parts.set(name, [part]);
   }
   return { attributes: [...parts].map(([name, list]) => assemble(name, list, where)), lost };
+}
+
+/** A colour of normalised bytes as these, 0…255; undefined for all else. */
+function byteColours(accessor: Accessor, semantic: string): Float32Array | undefined {
+  const bytes = accessor.getArray();
+  const isBytes = bytes instanceof Uint8Array && accessor.getNormalized();
+  return isBytes && /^COLOR_\d+$/.test(semantic) ? Float32Array.from(bytes) : undefined;
 }
 
 interface Part {

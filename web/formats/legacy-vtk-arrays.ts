@@ -17,6 +17,9 @@ const fixedAttributes = new Map([
   ['EDGE_FLAGS', 1],
 ]);
 
+/** Attributes that tell things apart. */
+const idAttributes = new Set(['GLOBAL_IDS', 'PEDIGREE_IDS']);
+
 /** Arrays are read alike for points (kept), for cells (kept if they can be labels) and for the whole file (only their names are). */
 export interface Attributes {
   noun: string;
@@ -45,7 +48,10 @@ export function readAttribute(
   if (keyword === 'SCALARS' && text.peek()[0]?.toUpperCase() === 'LOOKUP_TABLE') text.words();
   const type = words[keyword === 'TEXTURE_COORDINATES' ? 3 : 2];
   if (keyword === 'COLOR_SCALARS') readColours(shape, text, attributes, labels);
-  else readArray({ ...shape, type }, text, attributes, labels);
+  else {
+    const array = readArray({ ...shape, type }, text, attributes, labels);
+    array.identifier = idAttributes.has(keyword);
+  }
 }
 
 /** Bytes, which text files hold as fractions of 255. */

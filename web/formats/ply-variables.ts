@@ -1,3 +1,5 @@
+import { isColour } from './colours.ts';
+
 /** A variable and the properties that hold its components, in their order. */
 export interface PlyVariable {
   name: string;
@@ -110,7 +112,11 @@ function parseJson(text: string): unknown {
 
 /** The names of the properties that hold a variable of a mesh, before they are made unique. */
 export function propertyNames(name: string, components: number): string[] {
-  const fixed = fixedGroups.find((group) => group.name === name && group.properties.length === components);
+  const fixed = fixedGroups.find(
+    (group) =>
+      (group.name === name || (group.name === 'color' && isColour({ name, components }))) &&
+      group.properties.length === components,
+  );
   if (fixed) return fixed.properties;
   if (components === 1) return [name];
   const suffixes = components === axes.length ? axes : Array.from({ length: components }, (_, index) => String(index));

@@ -25,7 +25,9 @@ import {
   withSafeNames,
 } from './gltf-variables.ts';
 import { joined } from './joined-arrays.ts';
+import { localOrigin } from './local-origin.ts';
 import { checkIndices } from './polygons.ts';
+import { asFloatingPoint } from './precision.ts';
 import type { Beside, Surface } from './surface.ts';
 import { weldedSurface } from './welded-surface.ts';
 import { counted, foreign, listed } from './wording.ts';
@@ -41,7 +43,8 @@ interface Placed {
 }
 
 interface Part {
-  position: Float32Array;
+  /** In double precision where a node moved it. */
+  position: Float32Array | Float64Array;
   triangles: Uint32Array;
   attributes: GltfAttribute[];
   /** What the extras say of places. */
@@ -55,7 +58,8 @@ interface Part {
 /**
  * Reads a GLB file, or a glTF file with its buffers inside or in files that `beside` gives. All triangles of the default scene become one mesh, put where
  * their nodes put them and welded. NORMAL, COLOR_0 and TEXCOORD_0 become `normal`, `color` and `uv`; `_NAME` becomes NAME,
- * or whatever the writer of this project noted as its name. glTF knows single precision only.
+ * or whatever the writer of this project noted as its name. Places that nodes
+ * move are read in double precision, all other numbers are single.
  */
 export async function readGltf(bytes: Uint8Array, beside?: Beside): Promise<Surface> {
   const opened = openGltf(bytes);
@@ -217,7 +221,7 @@ function trianglesOf(corners: Uint32Array, mode: number): Uint32Array {
 function place(part: Part, m: number[]): Part {
   const moves = m.some((value, i) => value !== (i % 5 === 0 ? 1 : 0));
   if (!moves) return part;
-  const position = part.position.slice();
+  const position = Float64Array.from(part.position);
   for (let at = 0; at < position.length; at += 3) {
     const [x, y, z] = part.position.subarray(at, at + 3);
     for (let row = 0; row < 3; row++) position[at + row] = m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row];
@@ -270,9 +274,18 @@ function joinShapes(parts: Part[]): Pick<Mesh, 'position' | 'triangles'> {
     points += part.position.length / 3;
     return part.triangles.map((corner) => corner + shift);
   });
-  const position = joined(
-    parts.map((part) => part.position),
-    Float32Array,
-  );
-  return { position, triangles: joined(triangles, Uint32Array) };
+  return { position: joinPlaces(parts.map((part) => part.position)), triangles: joined(triangles, Uint32Array) };
+}
+
+/**
+ * Places that a node moved are doubles. Where several nodes move their parts, rounding differs from part to part, and points
+ * where parts meet would not be found to be one; so all are in single precision then, as seen from near the surface.
+ */
+function joinPlaces(parts: Part['position'][]): Mesh['position'] {
+  if (parts.every((part) => part instanceof Float32Array)) return joined(parts, Float32Array);
+  const position = joined(parts, Float64Array);
+  if (parts.length === 1) return asFloatingPoint(position);
+  const triangles = Uint32Array.from({ length: position.length / 3 }, (_, point) => point);
+  const origin = localOrigin({ position, triangles });
+  return asFloatingPoint(position.map((value, i) => origin[i % 3] + Math.fround(value - origin[i % 3])));
 }

@@ -1,5 +1,6 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
 import { parseNumber } from './ascii-numbers.ts';
+import { asBytes } from './colours.ts';
 import { FormatError } from './format-error.ts';
 import { GrowingIndices, GrowingNumbers, GrowingPolygons } from './growing-arrays.ts';
 import { checkCorners, type Polygons, polygonNotes, triangulate } from './polygons.ts';
@@ -284,7 +285,7 @@ function sortedByPoint(corners: Uint32Array, points: number) {
 }
 
 function pointColours({ colours }: ObjFile, points: number, notes: string[]): Variable[] {
-  if (colours.length === 3 * points) return [{ name: 'color', components: 3, values: colours.toArray() }];
+  if (colours.length === 3 * points) return [{ name: 'color', components: 3, values: asBytes(colours.toArray()) }];
   if (colours.length > 0) notes.push('Not carried: colours, since not every point has one.');
   return [];
 }

@@ -1,6 +1,7 @@
 import type { Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
 import { GrowingPolygons } from './growing-arrays.ts';
+import { withKinds } from './identifiers.ts';
 import {
   isFloatType,
   type PlyElement,
@@ -92,7 +93,18 @@ function readBody(bytes: Uint8Array, header: PlyHeader, values: PlyValues): Surf
   const triangles = joinTriangles({ ...parts, faces: parts.faces?.polygons }, position, notes);
   const cellLabels = readRegions(parts.faces, parts.strips, header.comments, notes);
   notes.push(...vertexNotes, ...textureNotes(header), ...endNotes(bytes, header, values));
-  return { mesh: { position, triangles, variables }, notes, ...labels(header, variables), ...cellLabels };
+  const whole = wholeVariables(header);
+  const mesh = { position, triangles, variables: withKinds(variables, triangles, (name) => whole.has(name)) };
+  return { mesh, notes, ...labels(header, variables), ...cellLabels };
+}
+
+/** The names of the variables that the file holds in types of whole numbers. */
+function wholeVariables({ elements, comments }: PlyHeader): Set<string> {
+  const properties = elements.find(({ name }) => name === 'vertex')?.properties ?? [];
+  const byName = new Map(properties.filter(({ listLength }) => !listLength).map((each) => [each.name, each]));
+  const rest = [...byName.keys()].filter((name) => !coordinates.includes(name));
+  const whole = groupProperties(rest, comments).filter((group) => !typesOf(group, byName).some(isFloatType));
+  return new Set(whole.map(({ name }) => name));
 }
 
 function noPoints(): never {

@@ -182,9 +182,11 @@ function readPiece(node: XmlNode, packing: VtkPacking, prefix: string, notes: st
   const points = countOf(node, 'NumberOfPoints');
   const position = readPoints(node, points, packing, prefix);
   const named = pointArrays(node).map((array) => ({ array, name: array.attributes.Name ?? '' }));
-  const arrays = namedArrays(named, `${prefix}point data`, notes).map(({ array }) =>
-    readPointArray(array, points, packing, prefix),
-  );
+  const declared = declaredIds(node);
+  const arrays = namedArrays(named, `${prefix}point data`, notes).map(({ array }) => {
+    const read = readPointArray(array, points, packing, prefix);
+    return { ...read, identifier: declared.has(read.name) };
+  });
   const polygons = readCells(node, 'Polys', packing, prefix);
   const strips = readCells(node, 'Strips', packing, prefix);
   const piece = { prefix, position, arrays, polygons, strips };
@@ -227,6 +229,13 @@ function readPoints(piece: XmlNode, points: number, packing: VtkPacking, prefix:
 /** The point-data arrays that are numbers. */
 function pointArrays(piece: XmlNode): XmlNode[] {
   return dataArrays(piece, 'PointData');
+}
+
+/** The arrays that the file declares to be ids. */
+function declaredIds(piece: XmlNode): Set<string | undefined> {
+  return new Set(
+    childrenOf(piece, 'PointData').flatMap(({ attributes }) => [attributes.GlobalIds, attributes.PedigreeIds]),
+  );
 }
 
 function readPointArray(node: XmlNode, points: number, packing: VtkPacking, prefix: string): PointArray {

@@ -3,6 +3,7 @@ import { withCrackNotes, withWeldedEnds } from './cracks.ts';
 import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
 import { gunzip, isGzip } from './gzip.ts';
+import { identifierNotes, withKinds } from './identifiers.ts';
 import { withJoinedFaces } from './loose-faces.ts';
 import { withOpenSeams } from './open-seams.ts';
 import { recognise } from './recognise.ts';
@@ -74,8 +75,9 @@ export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promi
       quoted(twice.name),
     );
   }
-  const extended = withVariables(surface, (variables) => [...variables, ...added.variables]);
-  const notes = [...extended.notes, ...added.notes];
+  const more = withKinds(added.variables, mesh.triangles);
+  const extended = withVariables(surface, (variables) => [...variables, ...more]);
+  const notes = [...extended.notes, ...added.notes, ...identifierNotes(more)];
   const units = Object.assign(noLabels().units, surface.units, added.units);
   return { ...extended, units, notes, summary: notes.join(' ') };
 }
@@ -90,7 +92,7 @@ async function readUnpacked(name: string, whole: Uint8Array, beside?: Beside): P
   const bytes = withoutByteOrderMark(whole);
   const format = recognise(bytes, name);
   const read = await readers[format]();
-  const surface = withoutGeometryName(await withinMemory(async () => read(bytes, beside)));
+  const surface = withIdentifiers(withoutGeometryName(await withinMemory(async () => read(bytes, beside))));
   return { ...surface, format, notes: [...endingNote(name, format), ...surface.notes] };
 }
 
@@ -109,6 +111,13 @@ export function withVariables(file: SurfaceFile, change: (variables: Variable[])
     return { ...surface, mesh: { ...surface.mesh, variables: change(surface.mesh.variables) } };
   };
   return file.asRead ? joinedFile(changed(file.asRead), file.options) : changed(file);
+}
+
+/** Says which variables are identifiers, of what the reader left open too. */
+function withIdentifiers(surface: Surface): Surface {
+  const { mesh, notes } = surface;
+  const variables = withKinds(mesh.variables, mesh.triangles);
+  return { ...surface, mesh: { ...mesh, variables }, notes: [...notes, ...identifierNotes(variables)] };
 }
 
 /** What the geometry is called among the variables. */

@@ -1,4 +1,5 @@
 import type { Mesh } from '../../wasm/types.ts';
+import type { Origin } from './local-origin.ts';
 
 /** The formats that are read and written, by the usual ending of their names. */
 export type Format = 'ply' | 'vtp' | 'vtk' | 'obj' | 'stl' | 'glb';
@@ -40,6 +41,8 @@ export interface WriteOptions extends Partial<Labels> {
   regionName?: string;
   /** More labels of the triangles, by the names of their arrays. */
   cellData?: CellLabels['regions'];
+  /** GLB only: where the node of the mesh is moved to, from where its places are measured. Default: localOrigin. */
+  origin?: Origin;
   /** Packed by gzip, for a name that ends in .gz. Default: no. */
   gzip?: boolean;
   /** PLY only. Default: binary little endian. */

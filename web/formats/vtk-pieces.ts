@@ -1,5 +1,6 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
+import { withKinds } from './identifiers.ts';
 import { joined } from './joined-arrays.ts';
 import { type Polygons, polygonNotes, trianglesIn, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
@@ -14,6 +15,8 @@ export interface PointArray {
   values: VtkValues;
   /** Whole numbers in the file. */
   integers: boolean;
+  /** The file declares that these are ids. */
+  identifier?: boolean;
 }
 
 /** What to do where values belong to cells: nothing here can tell what they would be at the points. */
@@ -35,9 +38,17 @@ export interface Piece {
 export function meshOfPieces(pieces: Piece[], notes: string[]): Mesh {
   const full = pieces.filter((piece) => piece.position.values.length > 0);
   if (full.length === 0) throw new FormatError('no_points', 'The file has no points.');
-  const variables = joinArrays(full, notes);
+  const joinedArrays = joinArrays(full, notes);
   const position = joinValues(full.map((piece) => piece.position));
   const triangles = joinTriangles(full, notes);
+  const all = (holds: (array: PointArray) => boolean | undefined) => (name: string) =>
+    full.every(({ arrays }) => arrays.some((array) => array.name === name && holds(array)));
+  const variables = withKinds(
+    joinedArrays,
+    triangles,
+    all(({ integers }) => integers),
+    all(({ identifier }) => identifier),
+  );
   if (full.length > 1) notes.push(`${counted(full.length, 'piece')} joined.`);
   return { position, triangles, variables };
 }

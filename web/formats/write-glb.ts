@@ -1,6 +1,8 @@
 import { type Accessor, Document, type Extension, Logger, type Node, Primitive, WebIO } from '@gltf-transform/core';
 import type { Mesh, Variable } from '../../wasm/types.ts';
+import { isByteColour } from './colours.ts';
 import { type GltfExtras, semanticFor } from './gltf-variables.ts';
+import { localOrigin } from './local-origin.ts';
 import type { WriteOptions } from './surface.ts';
 
 const types = new Map<number, 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4'>([
@@ -11,7 +13,7 @@ const types = new Map<number, 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4'>([
 ]);
 
 /**
- * Writes a GLB file in single precision. `normal`, `color` and `uv` take the places that glTF has for them if their values
+ * Writes a GLB file in single precision; a surface far from the origin is moved near to it, and its node back (in doubles). `normal`, `color` and `uv` take the places that glTF has for them if their values
  * fit; all else becomes attributes `_NAME`, with name, unit and component names in the extras. A variable of more than four
  * components becomes an attribute for each.
  */
@@ -41,26 +43,29 @@ export async function glbOf(
 export function addNode(document: Document, mesh: Mesh, options: WriteOptions): Node {
   const [buffer] = document.getRoot().listBuffers();
   const primitive = document.createPrimitive().setMode(Primitive.Mode.TRIANGLES);
-  const add = (semantic: string, values: Float32Array, components: number, extras?: GltfExtras) => {
+  const add = (semantic: string, values: Float32Array | Uint8Array, components: number, extras?: GltfExtras) => {
     const accessor = document
       .createAccessor()
       .setBuffer(buffer)
-      .setArray(values as Float32Array<ArrayBuffer>);
+      .setArray(values as Float32Array<ArrayBuffer> | Uint8Array<ArrayBuffer>)
+      .setNormalized(values instanceof Uint8Array);
     accessor.setType(types.get(components) ?? 'SCALAR');
     if (extras) accessor.setExtras({ meshbound: extras });
     primitive.setAttribute(semantic, accessor);
   };
+  const origin = options.origin ?? localOrigin(mesh);
   const unit = labelsOf('position', options);
   add(
     'POSITION',
-    Float32Array.from(mesh.position),
+    Float32Array.from(mesh.position, (value, i) => value - origin[i % 3]),
     3,
     Object.keys(unit).length > 0 ? { name: 'position', ...unit } : undefined,
   );
   const used = new Set(['POSITION']);
   for (const variable of mesh.variables) addVariable(variable, used, options, add);
   primitive.setIndices(document.createAccessor().setBuffer(buffer).setType('SCALAR').setArray(indicesOf(mesh)));
-  return document.createNode().setMesh(document.createMesh().addPrimitive(primitive));
+  const node = document.createNode().setMesh(document.createMesh().addPrimitive(primitive));
+  return origin.some((value) => value !== 0) ? node.setTranslation(origin) : node;
 }
 
 function labelsOf(name: string, { units = {}, componentNames = {} }: WriteOptions): Omit<GltfExtras, 'name'> {
@@ -70,14 +75,16 @@ function labelsOf(name: string, { units = {}, componentNames = {} }: WriteOption
   };
 }
 
-type Add = (semantic: string, values: Float32Array, components: number, extras: GltfExtras) => void;
+type Add = (semantic: string, values: Float32Array | Uint8Array, components: number, extras: GltfExtras) => void;
 
 function addVariable(variable: Variable, used: Set<string>, options: WriteOptions, add: Add): void {
   const { name, components } = variable;
   const values = Float32Array.from(variable.values);
   const extras = { name, ...labelsOf(name, options) };
   const semantic = semanticFor({ ...variable, values });
-  if (types.has(components)) add(unique(semantic, used), values, components, extras);
+  const free = types.has(components) ? unique(semantic, used) : semantic;
+  const isBytes = /^COLOR_\d+$/.test(free) && isByteColour(variable);
+  if (types.has(components)) add(free, isBytes ? Uint8Array.from(values) : values, components, extras);
   for (let component = 0; !types.has(components) && component < components; component++) {
     const part = values.filter((_, i) => i % components === component);
     add(unique(`${semantic}_${component}`, used), part, 1, { ...extras, component });
@@ -85,8 +92,10 @@ function addVariable(variable: Variable, used: Set<string>, options: WriteOption
 }
 
 function unique(semantic: string, used: Set<string>): string {
+  // Copies are names of this project's own, which begin with an underscore.
+  const own = semantic.startsWith('_') ? semantic : `_${semantic}`;
   let free = semantic;
-  for (let copy = 2; used.has(free); copy++) free = `${semantic}__${copy}`;
+  for (let copy = 2; used.has(free); copy++) free = `${own}__${copy}`;
   used.add(free);
   return free;
 }

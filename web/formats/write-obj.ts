@@ -1,17 +1,19 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
+import { asFractions, isColour } from './colours.ts';
 import { labelArrays } from './label-arrays.ts';
 import type { WriteOptions } from './surface.ts';
 
-/** What OBJ has a place for, and the number of components there. */
-const places = new Map([
-  ['color', 3],
-  ['uv', 2],
-  ['normal', 3],
-]);
+/** The variables that OBJ has a place for. */
+function heldIn({ variables }: Mesh): Record<'color' | 'uv' | 'normal', Variable | undefined> {
+  const called = (wanted: string, size: number) =>
+    variables.find(({ name, components }) => name === wanted && components === size);
+  const colour = variables.find((each) => each.components === 3 && isColour(each));
+  return { color: called('color', 3) ?? colour, uv: called('uv', 2), normal: called('normal', 3) };
+}
 
 /** The variables that an OBJ file cannot hold. */
 export function lostInObj(mesh: Mesh): Variable[] {
-  return mesh.variables.filter(({ name, components }) => places.get(name) !== components);
+  return mesh.variables.filter((each) => !Object.values(heldIn(mesh)).includes(each));
 }
 
 /**
@@ -19,15 +21,14 @@ export function lostInObj(mesh: Mesh): Variable[] {
  * `normal` only: ask lostInObj. Labels of triangles become materials where they have names.
  */
 export function writeObj(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
-  const held = (name: string) =>
-    mesh.variables.find((variable) => variable.name === name && variable.components === places.get(name));
-  const [color, uv, normal] = ['color', 'uv', 'normal'].map(held);
+  const { color, uv, normal } = heldIn(mesh);
+  const fractions = color && asFractions(color);
   const lines = ['# written by Meshbound'];
   const points = mesh.position.length / 3;
   const row = (values: ArrayLike<number>, components: number, point: number) =>
     Array.from({ length: components }, (_, i) => numberText(values[point * components + i])).join(' ');
   for (let point = 0; point < points; point++) {
-    lines.push(`v ${row(mesh.position, 3, point)}${color ? ` ${row(color.values, 3, point)}` : ''}`);
+    lines.push(`v ${row(mesh.position, 3, point)}${fractions ? ` ${row(fractions, 3, point)}` : ''}`);
   }
   for (let point = 0; uv && point < points; point++) lines.push(`vt ${row(uv.values, 2, point)}`);
   for (let point = 0; normal && point < points; point++) lines.push(`vn ${row(normal.values, 3, point)}`);

@@ -1,4 +1,5 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
+import { isByteColour } from './colours.ts';
 import { FormatError } from './format-error.ts';
 import { labelArrays } from './label-arrays.ts';
 import { groupProperties, type PlyVariable, propertyNames } from './ply-variables.ts';
@@ -77,10 +78,9 @@ function columnsOf(variable: Variable, properties: string[]): Column[] {
 }
 
 /** Colours that came from bytes go back to bytes: that is what other programs look for. They read back the same. */
-function typeOf({ name, values }: Variable): Column['type'] {
-  if (values instanceof Float64Array) return 'double';
-  const isByte = (value: number) => value >= 0 && value <= 255 && Number.isInteger(value) && !Object.is(value, -0);
-  return name === 'color' && values.every(isByte) ? 'uchar' : 'float';
+function typeOf(variable: Variable): Column['type'] {
+  if (isByteColour(variable)) return 'uchar';
+  return variable.values instanceof Float64Array ? 'double' : 'float';
 }
 
 function headerText(

@@ -1,4 +1,5 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
+import { isByteColour } from './colours.ts';
 import { labelArrays } from './label-arrays.ts';
 import { encodeName } from './legacy-vtk-text.ts';
 import type { WriteOptions } from './surface.ts';
@@ -25,8 +26,8 @@ export function writeVtk(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   for (const variable of mesh.variables) {
     const { name, components, values } = variable;
     chunks.push(
-      `${encodeName(name)} ${components} ${points} ${typeOf(values)}\n`,
-      values,
+      `${encodeName(name)} ${components} ${points} ${isByteColour(variable) ? 'unsigned_char' : typeOf(values)}\n`,
+      isByteColour(variable) ? Uint8Array.from(values) : values,
       `\n${metadata(variable, options)}`,
     );
   }
@@ -42,7 +43,7 @@ function labelChunks(mesh: Mesh, options: WriteOptions): Chunk[] {
   return [`\nCELL_DATA ${triangles}\nFIELD FieldData ${arrays.length}`, ...chunks];
 }
 
-type Chunk = string | Float32Array | Float64Array | Int32Array;
+type Chunk = string | Uint8Array | Float32Array | Float64Array | Int32Array;
 
 function typeOf(values: Float32Array | Float64Array): string {
   return values instanceof Float64Array ? 'double' : 'float';

@@ -1,4 +1,5 @@
 import type { Mesh } from '../../wasm/types.ts';
+import { isByteColour } from './colours.ts';
 import { FormatError } from './format-error.ts';
 import { labelArrays } from './label-arrays.ts';
 import type { WriteOptions } from './surface.ts';
@@ -10,7 +11,7 @@ import { quoted } from './wording.ts';
 interface FileArray {
   name: string;
   components: number;
-  values: Float32Array | Float64Array | Int32Array;
+  values: Float32Array | Float64Array | Int32Array | Uint8Array;
 }
 
 /** The size of the number that stands before each array. */
@@ -23,7 +24,7 @@ export function writeVtp(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   const position = { name: 'position', components: 3, values: mesh.position };
   const labels = labelArrays(mesh, options).map(([name, values]) => ({ name, components: 1, values }));
   const arrays: FileArray[] = [
-    ...mesh.variables,
+    ...mesh.variables.map((each) => (isByteColour(each) ? { ...each, values: Uint8Array.from(each.values) } : each)),
     ...labels,
     position,
     { name: 'connectivity', components: 1, values: corners },
@@ -82,7 +83,14 @@ function tagOf(
   { units = {}, componentNames = {} }: WriteOptions,
 ): string {
   const { components, values } = array;
-  const type = values instanceof Float64Array ? 'Float64' : values instanceof Float32Array ? 'Float32' : 'Int32';
+  const type =
+    values instanceof Float64Array
+      ? 'Float64'
+      : values instanceof Float32Array
+        ? 'Float32'
+        : values instanceof Uint8Array
+          ? 'UInt8'
+          : 'Int32';
   const names = Object.hasOwn(componentNames, array.name) ? componentNames[array.name] : [];
   const componentAttributes = names
     .map((component, index) => ` ComponentName${index}="${escaped(component)}"`)

@@ -1,4 +1,5 @@
 import type { Levels, Mesh, Variable, VariableReport } from '../../wasm/types.ts';
+import { roundingsOf } from './file-rounding.ts';
 import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
 import { gzip } from './gzip.ts';
@@ -119,11 +120,12 @@ export async function lossesOf(format: Format, mesh: Mesh, labels: LabelNames = 
   const kept = keptVariables(mesh, lost(mesh));
   sentences.push(...regionLosses(format, mesh, labels, writer));
   if (!holdsLabels) sentences.push(...labelLosses(format, kept, labels));
-  const doubles = kept.filter(({ values }) => values instanceof Float64Array);
-  if (single && doubles.length > 0) {
-    const rounded = listed(doubles.map(({ name }) => name));
-    sentences.push(`${formatNames[format]} knows single precision only; rounded: ${rounded}.`);
-  }
+  const roundings = single ? roundingsOf(format, { ...mesh, variables: kept.slice(1) }, labels.origin) : [];
+  const rounded = kept.flatMap(({ name }, i) =>
+    roundings[i] > 0 ? [`${quoted(name)} (by up to ${roundings[i].toPrecision(2)})`] : [],
+  );
+  if (rounded.length > 0)
+    sentences.push(`${formatNames[format]} knows single precision only; rounded: ${rounded.join(', ')}.`);
   return sentences;
 }
 

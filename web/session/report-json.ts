@@ -56,7 +56,18 @@ export function reportJson(
   const { turnedTriangles, unorientableParts, copiedTriangles, twoSidedTriangles } = report.oddities;
   const { cells, foldedCells } = report;
   const variables = report.variables.map(
-    ({ name, components, kind = 'quantity', nonFinite = null, extent, constant, bound, error, ratio }) => ({
+    ({
+      name,
+      components,
+      kind = 'quantity',
+      nonFinite = null,
+      extent,
+      constant,
+      bound,
+      error,
+      ratio,
+      rounding = 0,
+    }) => ({
       name,
       components,
       kind,
@@ -66,6 +77,7 @@ export function reportJson(
       error: Number.isNaN(error) ? null : error,
       nonFinite,
       ratio: Number.isFinite(bound) ? ratio : null,
+      ...(rounding > 0 ? { rounding } : {}),
     }),
   );
   const regions = report.regions.map(({ label, ...rest }) => ({ label, name: names?.get(label), ...rest }));
