@@ -18,7 +18,7 @@ test.each(documents)('%s links to files that are there', (path) => {
 });
 
 test.each(documents)('%s names files that are there', (path) => {
-  const named = matches(path, /`((?:\.ci|core|wasm|web|tests|workers)\/[\w./-]+)`/g);
+  const named = matches(path, /`((?:\.ci|scripts|core|wasm|web|tests|workers)\/[\w./-]+)`/g);
   expect(named.filter((name) => !existsSync(name))).toEqual([]);
 });
 

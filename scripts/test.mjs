@@ -15,8 +15,8 @@ const vitestFile = `${results}/vitest.json`;
 const playwrightFile = `${results}/playwright.json`;
 
 const steps = [
-  { name: 'setup', command: ['.ci/setup.sh', 'test'], essential: true },
-  { name: 'build', command: ['.ci/build.sh'] },
+  { name: 'setup', command: ['scripts/setup.sh', 'test'], essential: true },
+  { name: 'build', command: ['scripts/build.sh'] },
   { name: 'native build', command: ['bash', '-c', 'cmake --preset native && cmake --build --preset native'] },
   {
     name: 'core (ctest)',
@@ -24,7 +24,7 @@ const steps = [
     count: countCtest,
   },
   { name: 'fuzzer build', command: ['bash', '-c', 'cmake --preset fuzz && cmake --build --preset fuzz'] },
-  { name: 'core (fuzzer)', command: ['.ci/fuzz.sh', '60'] },
+  { name: 'core (fuzzer)', command: ['scripts/fuzz.sh', '60'] },
   {
     name: 'module (Vitest)',
     command: [`${bin}vitest`, 'run', '--reporter=default', '--reporter=json', `--outputFile.json=${vitestFile}`],
@@ -37,7 +37,7 @@ const steps = [
     count: countPlaywright,
   },
   { name: 'types (tsc)', command: [`${bin}tsc`, '--noEmit'] },
-  { name: 'lint', command: ['.ci/lint.sh'] },
+  { name: 'lint', command: ['scripts/lint.sh'] },
 ];
 
 function readJson(file) {

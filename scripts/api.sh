@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-.ci/setup.sh api
+scripts/setup.sh api
 rm -rf build/api
 mkdir -p build/api
 

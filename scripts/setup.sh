@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, and nothing else, so that running it again costs nothing:
 #
-#     .ci/setup.sh [start|test|bench|api]
+#     scripts/setup.sh [start|test|bench|api]
 #
 # start: what building and serving the page needs. test (the default): what the tests and linters need as well. bench: what
 # the benchmark needs. api: what makes the pages of headers and types.
@@ -82,7 +82,7 @@ else
     check_tools
 fi
 
-if ! node .ci/node-modules-fresh.mjs; then
+if ! node scripts/node-modules-fresh.mjs; then
     echo "setup: installing npm packages"
     npm ci --no-audit --no-fund
 fi
