@@ -10,12 +10,18 @@ cd "$(dirname "$0")/.."
 
 to_start=(g++ cmake ninja-build libglm-dev emscripten)
 to_test=(libgtest-dev libgmock-dev libcgal-dev chromium clang libclang-rt-dev clang-format clang-tidy python3-vtk9
-    python3-numpy valgrind)
+    python3-numpy valgrind pkgconf)
+to_emulate=(g++-aarch64-linux-gnu qemu-user) # what the results on 64-bit Arm are compared by
 to_bench=(libbenchmark-dev python3-vtk9 python3-numpy)
 
 packages=("${to_start[@]}")
 case "${1:-test}" in
-    test) packages+=("${to_test[@]}") ;;
+    test)
+        packages+=("${to_test[@]}")
+        if [ "$(uname -m)" = x86_64 ]; then
+            packages+=("${to_emulate[@]}")
+        fi
+        ;;
     bench) packages+=("${to_bench[@]}") ;;
     api) packages=(doxygen) ;;
 esac

@@ -18,6 +18,10 @@ const steps = [
   { name: 'setup', command: ['scripts/setup.sh', 'test'], essential: true },
   { name: 'build', command: ['scripts/build.sh'] },
   { name: 'native build', command: ['bash', '-c', 'cmake --preset native && cmake --build --preset native'] },
+  { name: 'build by Clang', command: ['bash', '-c', 'cmake --preset clang && cmake --build --preset clang'] },
+  ...(process.arch === 'x64'
+    ? [{ name: 'build for arm64', command: ['bash', '-c', 'cmake --preset arm64 && cmake --build --preset arm64'] }]
+    : []),
   {
     name: 'core (ctest)',
     command: ['ctest', '--preset', 'native', '--no-tests=error', '-j', '2', '--output-junit', ctestFile],

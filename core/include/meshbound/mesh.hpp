@@ -8,6 +8,9 @@
 
 #include <glm/vec3.hpp>
 
+#include "meshbound/api.hpp"
+#include "meshbound/glm_layout.hpp"
+
 namespace meshbound {
 
 /// Numbers in the precision they came in. Whatever comes in single precision goes out in single precision, bit for bit.
@@ -43,15 +46,15 @@ struct Mesh {
 };
 
 /// How many numbers a variable holds, over all vertices and components.
-std::size_t value_count(const Variable& variable);
+MESHBOUND_API std::size_t value_count(const Variable& variable);
 
 /// How many vertices a mesh has, used or not: a third of the number of its coordinates.
-std::size_t vertex_count(const Mesh& mesh);
+MESHBOUND_API std::size_t vertex_count(const Mesh& mesh);
 
 /// Component `component` of vertex `vertex`, widened to double (exact).
-double value_at(const Variable& variable, std::size_t vertex, int component);
+MESHBOUND_API double value_at(const Variable& variable, std::size_t vertex, int component);
 
 /// The same variable at the given vertices only, in their order, in the same precision, bit for bit.
-Variable gather(const Variable& variable, const std::vector<std::uint32_t>& vertices);
+MESHBOUND_API Variable gather(const Variable& variable, const std::vector<std::uint32_t>& vertices);
 
 } // namespace meshbound

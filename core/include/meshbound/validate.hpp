@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "meshbound/api.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/status.hpp"
 
@@ -20,10 +21,10 @@ struct Oddities {
 
 /// Whether a mesh can be reduced: shapes of all arrays, indices, names, finite numbers. The first fault found is returned,
 /// with its place. `oddities`, where given, is filled for a valid mesh.
-Status validate(const Mesh& mesh, Oddities* oddities = nullptr);
+MESHBOUND_API Status validate(const Mesh& mesh, Oddities* oddities = nullptr);
 
 /// Fills in what `validate` does not look at, because `reduce` finds it out anyway: which triangles of a valid mesh face the
 /// wrong side.
-void find_turned(const Mesh& mesh, Oddities& oddities);
+MESHBOUND_API void find_turned(const Mesh& mesh, Oddities& oddities);
 
 } // namespace meshbound
