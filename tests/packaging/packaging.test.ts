@@ -3,7 +3,7 @@
 import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { beforeAll, describe, expect, test } from 'vitest';
+import { beforeAll, describe, expect, test, vi } from 'vitest';
 
 import { mustSkip } from '../skipping.ts';
 
@@ -19,6 +19,9 @@ const compilers = [
 
 /** What is tested here is how things are put together: without optimisation they compile in a fraction of the time. */
 const quickly = ['-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DNDEBUG', '-DCMAKE_CXX_FLAGS_DEBUG=-O0'];
+
+/** The whole core is compiled three times: on a machine with other work, that takes longer than other tests may. */
+vi.setConfig({ testTimeout: 900_000, hookTimeout: 900_000 });
 
 /** Runs a program; where it fails, its words are the error. */
 function run(program: string, args: string[], env: NodeJS.ProcessEnv = {}): string {
