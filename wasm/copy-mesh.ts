@@ -24,7 +24,7 @@ export function checkMesh({ position, triangles, variables, regions }: Mesh): vo
   if (regions !== undefined && !(regions instanceof Int32Array)) {
     throw new TypeError('The regions must be an Int32Array.');
   }
-  for (const { name, values } of variables) checkValues(values, `values of "${name}"`);
+  for (const { name, values } of variables) checkValues(values, `values of “${name}”`);
 }
 
 /** The same of what says where the vertices of a reduced mesh come from. */

@@ -1,8 +1,9 @@
 /**
- * What can be wrong, one code a fault. All but the last two are the core's (core/include/meshbound/status.hpp):
+ * What can be wrong, one code a fault. All but the last three are the core's (core/include/meshbound/status.hpp):
  *
  * - `internal`: an error of this library, not of its caller;
- * - `worker_failed`: the worker could not be started or died.
+ * - `worker_failed`: the worker could not be started or died;
+ * - `disposed`: the engine that was asked has been disposed of.
  */
 export type ErrorCode =
   | 'no_triangles'
@@ -24,7 +25,8 @@ export type ErrorCode =
   | 'too_large'
   | 'out_of_memory'
   | 'internal'
-  | 'worker_failed';
+  | 'worker_failed'
+  | 'disposed';
 
 /** A fault with its place, as it crosses from the worker. */
 export interface Failure {

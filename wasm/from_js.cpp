@@ -1,5 +1,6 @@
 #include "from_js.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -45,14 +46,13 @@ Bound bound_from(const std::string& name, const val& bound) {
         }
     }
     throw ShapeError{{Fault::bad_bound,
-                      "The bound of \"" + name + "\" is none of { relative: number }, { absolute: number } and 'free'.",
+                      "The bound of “" + name + "” is none of { relative: number }, { absolute: number } and “free”.",
                       name,
                       {}}};
 }
 
 [[noreturn]] void refuse_option(const char* option, const std::string& given) {
-    throw ShapeError{
-        {Fault::bad_option, "The option " + std::string(option) + " cannot be \"" + given + "\".", {}, {}}};
+    throw ShapeError{{Fault::bad_option, "The option " + std::string(option) + " cannot be “" + given + "”.", {}, {}}};
 }
 
 /// Reads an option that is true or false; left out, it stays as it is.
@@ -163,8 +163,7 @@ val present(const val& part, const char* name) {
     if (!part.isUndefined() && !part.isNull()) {
         return part;
     }
-    throw ShapeError{
-        {Fault::bad_waypoint, "The waypoint has no \"" + std::string(name) + "\" where it should.", {}, {}}};
+    throw ShapeError{{Fault::bad_waypoint, "The waypoint has no “" + std::string(name) + "” where it should.", {}, {}}};
 }
 
 val part_of(const val& whole, const char* name) { return present(whole[name], name); }
@@ -172,6 +171,14 @@ val part_of(const val& whole, const char* name) { return present(whole[name], na
 template <class T, class Convert>
 std::vector<T> list_in(const val& whole, const char* name, Convert convert) {
     return list_from<T>(part_of(whole, name), [&](const val& element) { return convert(present(element, name)); });
+}
+
+unsigned threads_from(const val& threads) {
+    const double value = number_from(threads);
+    if (value >= 1 && value <= 64 && value == std::floor(value)) {
+        return static_cast<unsigned>(value);
+    }
+    throw ShapeError{{Fault::bad_option, "The number of threads must be a whole number from 1 to 64.", {}, {}}};
 }
 
 std::string text_from(const val& text) { return text.isString() ? text.as<std::string>() : std::string(); }
@@ -260,6 +267,12 @@ Bounds bounds_from(const val& bounds) {
 
 Options options_from(const val& options) {
     Options result;
+    if (const val sweeps = options["sweeps"]; !sweeps.isUndefined()) {
+        result.sweeps = list_from<double>(sweeps, number_from);
+    }
+    if (const val threads = options["threads"]; !threads.isUndefined()) {
+        result.threads = threads_from(threads);
+    }
     if (const val errors = options["errors"]; !errors.isUndefined()) {
         result.errors = errors_from(errors.as<std::string>());
     }

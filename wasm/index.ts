@@ -1,6 +1,5 @@
-import { checkMap, checkMesh, checkVertices, copyMap, copyMesh } from './copy-mesh.ts';
+import { Engine, type EngineSettings } from './engine.ts';
 import type { Inspection } from './inspection.ts';
-import { TaskQueue } from './task-queue.ts';
 import type {
   Levels,
   LevelsOptions,
@@ -12,11 +11,28 @@ import type {
   Waypoint,
 } from './types.ts';
 
+export { Engine, type EngineSettings } from './engine.ts';
 export { type ErrorCode, type Failure, MeshboundError } from './errors.ts';
 export type { Inspection, VariableExtent } from './inspection.ts';
 export type * from './types.ts';
 
-const queue = new TaskQueue();
+let shared: Engine | undefined;
+let settings: EngineSettings = {};
+
+/** The engine that all calls share. It takes nothing before the first of them. */
+function sharedEngine(): Engine {
+  shared ??= new Engine(settings);
+  return shared;
+}
+
+/**
+ * Says where worker and module lie and how many threads may share the work, for the engine that `reduce` and the others share.
+ * Throws an Error after the first call of one of them: an `Engine` of one's own takes settings at any time.
+ */
+export function configure(chosen: EngineSettings): void {
+  if (shared) throw new Error('configure() must be called before the first reduction.');
+  settings = chosen;
+}
 
 /**
  * Reduces a mesh so that every bound holds at every point of its surface:
@@ -29,15 +45,8 @@ const queue = new TaskQueue();
  * MeshboundError that names the fault and its place, with a TypeError for arrays of another type than `Mesh` says, and with
  * an AbortError once `options.signal` is aborted.
  */
-export async function reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduction> {
-  const { signal, onProgress, locked, transfer, ...rest } = options;
-  checkMesh(mesh);
-  const task = {
-    kind: 'reduce',
-    mesh: transfer ? mesh : copyMesh(mesh),
-    options: { ...rest, locked: locked?.slice() },
-  } as const;
-  return (await queue.run(task, { signal, onProgress })) as Reduction;
+export function reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduction> {
+  return sharedEngine().reduce(mesh, options);
 }
 
 /**
@@ -49,17 +58,8 @@ export async function reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduct
  * are indices into the original. The arrays stay the caller's. Rejects as `reduce` does; with the code `bad_waypoint` where
  * the waypoint contradicts itself, has spent what the bound of `variable` allows, or lacks a vertex that is locked.
  */
-export async function reduceOnward(waypoint: Waypoint, options: OnwardOptions): Promise<Reduction> {
-  const { signal, onProgress, locked, ...rest } = options;
-  const { mesh, vertices, report } = waypoint;
-  checkMesh(mesh);
-  checkVertices(vertices);
-  const task = {
-    kind: 'reduceOnward',
-    waypoint: { mesh: copyMesh(mesh), vertices: vertices.slice(), report },
-    options: { ...rest, locked: locked?.slice() },
-  } as const;
-  return (await queue.run(task, { signal, onProgress })) as Reduction;
+export function reduceOnward(waypoint: Waypoint, options: OnwardOptions): Promise<Reduction> {
+  return sharedEngine().reduceOnward(waypoint, options);
 }
 
 /**
@@ -68,15 +68,8 @@ export async function reduceOnward(waypoint: Waypoint, options: OnwardOptions): 
  *
  * Runs and rejects as `reduce` does; with the code `bad_levels` where a bound falls from one level to the next or none rises.
  */
-export async function reduceLevels(mesh: Mesh, options: LevelsOptions): Promise<Levels> {
-  const { signal, onProgress, locked, transfer, ...rest } = options;
-  checkMesh(mesh);
-  const task = {
-    kind: 'reduceLevels',
-    mesh: transfer ? mesh : copyMesh(mesh),
-    options: { ...rest, locked: locked?.slice() },
-  } as const;
-  return (await queue.run(task, { signal, onProgress })) as Levels;
+export function reduceLevels(mesh: Mesh, options: LevelsOptions): Promise<Levels> {
+  return sharedEngine().reduceLevels(mesh, options);
 }
 
 /**
@@ -85,33 +78,17 @@ export async function reduceLevels(mesh: Mesh, options: LevelsOptions): Promise<
  * TypeError says so. The arrays stay the caller's. Rejects as `reduce` does; with the code `bad_map` where the map is not one
  * from this mesh onto the reduced one.
  */
-export async function segment(
+export function segment(
   mesh: Mesh,
   reduction: Reduction,
-  { signal }: { signal?: AbortSignal } = {},
+  options: { signal?: AbortSignal } = {},
 ): Promise<Segmentation> {
-  const { vertices, map } = reduction;
-  checkMesh(mesh);
-  checkMesh(reduction.mesh);
-  checkVertices(vertices);
-  if (map) checkMap(map);
-  if (!map?.triangle.length) throw new TypeError('The reduction has no map: only tracked errors make one.');
-  const task = {
-    kind: 'segment',
-    mesh: copyMesh({ ...mesh, variables: [] }),
-    reduction: {
-      mesh: copyMesh({ ...reduction.mesh, variables: [] }),
-      vertices: vertices.slice(),
-      map: copyMap(map),
-    },
-  } as const;
-  return (await queue.run(task, { signal })) as Segmentation;
+  return sharedEngine().segment(mesh, reduction, options);
 }
 
 /**
  * Checks a mesh and tells what its variables span, without reducing it. Rejects as `reduce` does.
  */
-export async function inspect(mesh: Mesh, { signal }: { signal?: AbortSignal } = {}): Promise<Inspection> {
-  checkMesh(mesh);
-  return (await queue.run({ kind: 'inspect', mesh: copyMesh(mesh) }, { signal })) as Inspection;
+export function inspect(mesh: Mesh, options: { signal?: AbortSignal } = {}): Promise<Inspection> {
+  return sharedEngine().inspect(mesh, options);
 }

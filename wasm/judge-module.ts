@@ -1,5 +1,5 @@
 import createModule from '../build/wasm/judge.mjs';
-import type { Outcome } from './messages.ts';
+import type { Outcome } from './tasks.ts';
 import type { Mesh } from './types.ts';
 
 /** The farthest that a sample of one surface lies from the other. */

@@ -1,6 +1,7 @@
 import type createModule from '../build/wasm/meshbound.mjs';
 import type { Inspection } from './inspection.ts';
-import type { CoreLevelsOptions, CoreOnwardOptions, CoreOptions, Outcome } from './messages.ts';
+import type { ModuleSettings } from './module-settings.ts';
+import type { CoreLevelsOptions, CoreOnwardOptions, CoreOptions, Outcome } from './tasks.ts';
 import type { Levels, MappedReduction, Mesh, Reduction, Segmentation, Waypoint } from './types.ts';
 
 /** The functions of wasm/bindings.cpp. They block until they are done. */
@@ -31,13 +32,14 @@ const mostThreads = 8;
  * Loads the WebAssembly module: from its address in a browser, from its file in Node, where fetch knows no files. With
  * threads where the page is isolated from other origins, which shared memory needs, and the module comes from its own.
  */
-export function loadCore(): Promise<Core> {
-  if (binary.protocol === 'file:') {
-    return loadSingle({ wasmBinary: process.getBuiltinModule('node:fs').readFileSync(binary) });
+export function loadCore({ wasmUrl, threads = mostThreads }: ModuleSettings = {}): Promise<Core> {
+  const address = wasmUrl === undefined ? binary : new URL(wasmUrl);
+  if (address.protocol === 'file:') {
+    return loadSingle({ wasmBinary: process.getBuiltinModule('node:fs').readFileSync(address) });
   }
-  const alone = () => loadSingle({ locateFile: () => binary.href });
+  const alone = () => loadSingle({ locateFile: () => address.href });
   // A browser that is short of memory may refuse to share so much of it.
-  return mayShareMemory() ? loadThreaded().catch(alone) : alone();
+  return address === binary && threads > 1 && mayShareMemory() ? loadThreaded(threads).catch(alone) : alone();
 }
 
 /** Its code is loaded only where it is needed. */
@@ -50,13 +52,13 @@ function mayShareMemory(): boolean {
   return globalThis.crossOriginIsolated && threaded.module.origin === location.origin;
 }
 
-async function loadThreaded(): Promise<Core> {
+async function loadThreaded(threads: number): Promise<Core> {
   const { default: createThreaded }: { default: typeof createModule } = await import(
     /* @vite-ignore */ threaded.module.href
   );
   return createThreaded<Core>({
     locateFile: (name) => (name.endsWith('.wasm') ? threaded.binary.href : threaded.worker.href),
     mainScriptUrlOrBlob: threaded.module.href,
-    workers: Math.min(navigator.hardwareConcurrency, mostThreads) - 1,
+    workers: Math.min(navigator.hardwareConcurrency, mostThreads, threads) - 1,
   });
 }

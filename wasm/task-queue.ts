@@ -1,14 +1,20 @@
 import { type CancelFlag, createCancelFlag, raise } from './cancel-flag.ts';
 import { abortError, type Failure, MeshboundError } from './errors.ts';
-import type { Answer, Outcome, Task, Value } from './messages.ts';
+import type { Answer } from './messages.ts';
+import type { ModuleSettings } from './module-settings.ts';
+import type { Ending, Task, TaskKind, Value } from './tasks.ts';
 import { transferables } from './transferables.ts';
 import { startWorker, type WorkerThread } from './worker-thread.ts';
+
+/** Who waits for the value of a task of each kind. */
+type Receivers = { [Kind in TaskKind]?: (value: Value<Kind>) => void };
 
 interface Job {
   task: Task;
   cancel: CancelFlag | undefined;
   onProgress: ((progress: number) => void) | undefined;
-  resolve(value: Value): void;
+  /** One, for the kind of the task. */
+  receivers: Receivers;
   reject(reason: unknown): void;
   /** Its signal was aborted: the caller has been told, whatever still arrives is dropped. */
   aborted: boolean;
@@ -24,6 +30,12 @@ const keptMemory = 128 * 2 ** 20;
 /** …and so many times what the arrays of its next task take; a reduction takes some 25 times that. */
 const keptRatio = 100;
 
+/** How the queue's worker is started, and what it loads. */
+export interface WorkerSettings extends ModuleSettings {
+  /** Where the worker's script lies; beside this module where this is not said. */
+  workerUrl?: string;
+}
+
 /**
  * Runs tasks one after the other in one worker, which is started at the first and kept for all; only a worker that a large
  * task has left with memory that a small one does not need makes room for another.
@@ -34,24 +46,28 @@ export class TaskQueue {
   private memory = 0;
   private running: Job | undefined;
   private readonly waiting: Job[] = [];
+  private disposed = false;
 
-  run(task: Task, { signal, onProgress }: Watchers = {}): Promise<Value> {
+  constructor(private readonly settings: WorkerSettings = {}) {}
+
+  run<Kind extends TaskKind>(task: Task<Kind> & Task, { signal, onProgress }: Watchers = {}): Promise<Value<Kind>> {
     return new Promise((resolve, reject) => {
-      if (signal?.aborted) {
-        reject(abortError());
+      if (signal?.aborted || this.disposed) {
+        reject(this.disposed ? disposedError() : abortError());
         return;
       }
       const onAbort = () => this.abort(job);
+      const settled = () => signal?.removeEventListener('abort', onAbort);
       const job: Job = {
         task,
         cancel: signal ? createCancelFlag() : undefined,
         onProgress,
-        resolve: (value) => {
-          signal?.removeEventListener('abort', onAbort);
+        receivers: receiverOf<Kind>(task.kind, (value) => {
+          settled();
           resolve(value);
-        },
+        }),
         reject: (reason) => {
-          signal?.removeEventListener('abort', onAbort);
+          settled();
           reject(reason);
         },
         aborted: false,
@@ -62,6 +78,15 @@ export class TaskQueue {
     });
   }
 
+  /** Ends the worker. What runs or waits is rejected, as is whatever is asked later. */
+  dispose(): void {
+    this.disposed = true;
+    this.stopWorker();
+    const jobs = [...(this.running ? [this.running] : []), ...this.waiting.splice(0)];
+    this.running = undefined;
+    for (const job of jobs) job.reject(disposedError());
+  }
+
   private next(): void {
     if (this.running) {
       return;
@@ -69,12 +94,13 @@ export class TaskQueue {
     this.running = this.waiting.shift();
     if (this.running) {
       const { task, cancel } = this.running;
+      const { wasmUrl, threads } = this.settings;
       const arrays = transferables(task);
       if (this.holdsTooMuchFor(task, sizeOf(arrays))) {
         this.stopWorker();
       }
       this.worker ??= this.start();
-      this.worker.post({ task, cancel }, arrays);
+      this.worker.post({ task, cancel, settings: { wasmUrl, threads } }, arrays);
     }
   }
 
@@ -84,7 +110,7 @@ export class TaskQueue {
   }
 
   private start(): WorkerThread {
-    const worker = startWorker({
+    const worker = startWorker(this.settings.workerUrl, {
       onAnswer: (answer) => {
         if (worker === this.worker) {
           this.receive(answer);
@@ -104,17 +130,18 @@ export class TaskQueue {
     if (!job) {
       return;
     }
-    if ('outcome' in answer) {
+    if ('ending' in answer) {
       this.memory = answer.memory;
-      this.finish(job, answer.outcome);
+      this.finish(job, answer.ending);
     } else if (!job.aborted) {
       job.onProgress?.(answer.progress);
     }
   }
 
-  private finish(job: Job, outcome: Outcome<Value>): void {
+  private finish(job: Job, ending: Ending): void {
+    const { outcome } = ending;
     if (outcome.ok) {
-      job.resolve(outcome.value);
+      deliver(ending, job.receivers);
     } else {
       job.reject(new MeshboundError(outcome.failure));
       if (leavesWorkerUnfit(outcome.failure)) {
@@ -151,6 +178,22 @@ export class TaskQueue {
     this.worker = undefined;
     this.memory = 0;
   }
+}
+
+function receiverOf<Kind extends TaskKind>(kind: Kind, receive: (value: Value<Kind>) => void): Receivers {
+  const receivers: Receivers = {};
+  receivers[kind] = receive;
+  return receivers;
+}
+
+function deliver<Kind extends TaskKind>({ kind, outcome }: Ending<Kind>, receivers: Receivers): void {
+  if (outcome.ok) {
+    receivers[kind]?.(outcome.value);
+  }
+}
+
+function disposedError(): MeshboundError {
+  return new MeshboundError({ code: 'disposed', message: 'The engine was disposed of.' });
 }
 
 function sizeOf(arrays: ArrayBuffer[]): number {

@@ -33,6 +33,16 @@ export interface ReduceOptions {
   bounds: Record<string, Bound>;
   /** How errors are accounted for. Default: the core's. */
   errors?: 'propagated' | 'tracked';
+  /**
+   * The sweeps over the surface: each removes what stays within this fraction of the bounds. Rising, above 0, the last one 1.
+   * Default: the core's, 1/8 and 1. Not of a reduction onward, which takes one.
+   */
+  sweeps?: number[];
+  /**
+   * How many threads share the work, 1 to 64, where the page is isolated from other origins; never more than the engine was
+   * started with. The result is the same for any number. Default: all of these.
+   */
+  threads?: number;
   /** Tracked errors: choose places of vertices and crossings in the map with smaller errors. Default: the core's. */
   choosePlaces?: boolean;
   chooseCrossings?: boolean;
@@ -82,7 +92,7 @@ export interface ReduceOptions {
 /** What can be asked of a reduction that goes on from a waypoint; what only the original can tell cannot. */
 export type OnwardOptions = Omit<
   ReduceOptions,
-  'countFolds' | 'limitToFeatureSize' | 'dropSmallParts' | 'focus' | 'waypoint' | 'transfer'
+  'sweeps' | 'countFolds' | 'limitToFeatureSize' | 'dropSmallParts' | 'focus' | 'waypoint' | 'transfer'
 >;
 
 export interface LevelsOptions extends Omit<ReduceOptions, 'bounds' | 'waypoint'> {

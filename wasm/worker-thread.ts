@@ -13,13 +13,17 @@ export interface WorkerEvents {
   onFailure(reason: string): void;
 }
 
-export function startWorker(events: WorkerEvents): WorkerThread {
-  return typeof Worker === 'function' ? startInBrowser(events) : startInNode(events);
+/** `address`: of the worker's script, if not beside this module. */
+export function startWorker(address: string | undefined, events: WorkerEvents): WorkerThread {
+  return typeof Worker === 'function' ? startInBrowser(address, events) : startInNode(address, events);
 }
 
-function startInBrowser({ onAnswer, onFailure }: WorkerEvents): WorkerThread {
+function startInBrowser(address: string | undefined, { onAnswer, onFailure }: WorkerEvents): WorkerThread {
   const Worker = fromAnyHost(globalThis.Worker);
-  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+  const worker =
+    address === undefined
+      ? new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' }) // as bundlers know it
+      : new Worker(new URL(address), { type: 'module' });
   worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => onAnswer(data));
   worker.addEventListener('error', (event) => onFailure(event.message ?? 'it could not be loaded'));
   return {
@@ -28,11 +32,11 @@ function startInBrowser({ onAnswer, onFailure }: WorkerEvents): WorkerThread {
   };
 }
 
-function startInNode({ onAnswer, onFailure }: WorkerEvents): WorkerThread {
+function startInNode(address: string | undefined, { onAnswer, onFailure }: WorkerEvents): WorkerThread {
   const { Worker: NodeWorker } = process.getBuiltinModule('node:worker_threads');
-  const worker = new NodeWorker(new URL(/* @vite-ignore */ './worker.node.mjs', import.meta.url));
+  const worker = new NodeWorker(new URL(/* @vite-ignore */ address ?? './worker.node.mjs', import.meta.url));
   worker.on('message', (answer: Answer) => {
-    if ('outcome' in answer) {
+    if ('ending' in answer) {
       worker.unref();
     }
     onAnswer(answer);

@@ -43,7 +43,7 @@ Status check_bound(const std::string& name, const Bound& bound) {
     if (bound.kind == Bound::Kind::free) return {};
     if (std::isfinite(bound.value) && bound.value > 0) return {};
     return {Fault::bad_bound,
-            "The bound of \"" + name + "\" is " + number_text(bound.value) + "; it must be a number above zero.",
+            "The bound of “" + name + "” is " + number_text(bound.value) + "; it must be a number above zero.",
             name,
             {}};
 }
@@ -68,7 +68,7 @@ Status check_names(const Mesh& mesh, const Bounds& bounds) {
                                        [&](const Variable& variable) { return variable.name == entry.name; });
         if (!known)
             return {Fault::unknown_variable,
-                    "There is a bound for \"" + entry.name + "\", but no such variable.",
+                    "There is a bound for “" + entry.name + "”, but no such variable.",
                     entry.name,
                     {}};
         if (Status status = check_bound(entry.name, entry.bound); !status.ok()) return status;
@@ -79,7 +79,7 @@ Status check_names(const Mesh& mesh, const Bounds& bounds) {
 /// Even where the variable is free: its errors could not be told.
 Status too_far_apart(const Variable& variable, bool is_data) {
     return {is_data ? Fault::non_finite_value : Fault::non_finite_position,
-            "The values of \"" + variable.name + "\" lie farther apart than double precision can carry.",
+            "The values of “" + variable.name + "” lie farther apart than double precision can carry.",
             variable.name,
             {}};
 }
@@ -101,7 +101,7 @@ Status resolve(const std::string& name, const Bound& given, ResolvedBound& resol
     }
     if (can_be_carried(resolved)) return {};
     return {Fault::bound_too_fine,
-            "The bound of \"" + name + "\" is " + number_text(resolved.absolute) +
+            "The bound of “" + name + "” is " + number_text(resolved.absolute) +
                 ", finer than double precision can carry beside an extent of " + number_text(resolved.extent) + ".",
             name,
             {}};

@@ -144,8 +144,8 @@ bool is_same(const Variable& one, const Variable& other) {
 
 Status other_variable(const Variable& variable) {
     return {Fault::bad_map,
-            "The reduced mesh does not carry \"" + variable.name +
-                "\" as the original does: in the same place, with the same components and in the same precision.",
+            "The reduced mesh does not carry “" + variable.name +
+                "” as the original does: in the same place, with the same components and in the same precision.",
             variable.name,
             {}};
 }

@@ -40,7 +40,7 @@ Status check_locks(const Mesh& mesh, const Options& options) {
 bool is_free(const ResolvedBound& bound) { return !std::isfinite(bound.absolute); }
 
 Status position_is_free(const std::string& wish) {
-    return {Fault::bad_option, wish + " needs a bound of \"position\", which is free.", "position", {}};
+    return {Fault::bad_option, wish + " needs a bound of “position”, which is free.", "position", {}};
 }
 
 } // namespace

@@ -32,11 +32,10 @@ Status check_variables(const Waypoint& waypoint) {
     for (std::size_t i = 0; i < count; ++i) {
         const std::string& name = i == 0 ? waypoint.mesh.position.name : waypoint.mesh.variables[i - 1].name;
         if (reports[i].name != name)
-            return inconsistent("The waypoint reports on \"" + reports[i].name + "\" in place of \"" + name + "\".",
-                                name);
+            return inconsistent("The waypoint reports on “" + reports[i].name + "” in place of “" + name + "”.", name);
         if (!is_length(reports[i].error) || !is_length(reports[i].bound.extent) ||
             !is_length(reports[i].bound.magnitude))
-            return inconsistent("What the waypoint reports on \"" + name + "\" is not in numbers from zero on.", name);
+            return inconsistent("What the waypoint reports on “" + name + "” is not in numbers from zero on.", name);
     }
     return {};
 }

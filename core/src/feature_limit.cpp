@@ -19,7 +19,7 @@ constexpr std::size_t work_a_report = 64;
 Status too_fine(double size) {
     return {Fault::bound_too_fine,
             "Two lobes of the surface are " + number_text(size) +
-                " apart; a bound of \"position\" that is half of that is finer than double precision can carry.",
+                " apart; a bound of “position” that is half of that is finer than double precision can carry.",
             "position",
             {}};
 }

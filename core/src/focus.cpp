@@ -21,26 +21,26 @@ Status check_focus(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, c
     const Variable* focus = find_focus(mesh, options);
     if (!focus)
         return {Fault::unknown_variable,
-                "The bounds are to be multiplied by \"" + name + "\", but there is no such variable.",
+                "The bounds are to be multiplied by “" + name + "”, but there is no such variable.",
                 name,
                 {}};
     if (focus->components != 1)
         return {Fault::bad_option,
-                "The bounds are to be multiplied by \"" + name + "\", which has " + std::to_string(focus->components) +
+                "The bounds are to be multiplied by “" + name + "”, which has " + std::to_string(focus->components) +
                     " components; it must have one.",
                 name,
                 {}};
     for (std::size_t vertex = 0; vertex < vertex_count(mesh); ++vertex)
         if (!(value_at(*focus, vertex, 0) > 0))
             return {Fault::bad_option,
-                    "The variable \"" + name + "\", which multiplies the bounds, is not above zero at vertex " +
+                    "The variable “" + name + "”, which multiplies the bounds, is not above zero at vertex " +
                         std::to_string(vertex) + ".",
                     name, vertex};
     const double least = Multipliers(focus).least();
     for (const ResolvedBound& bound : bounds)
         if (!(rounding_margin(bound) < largest_rounding_margin * least))
             return {Fault::bound_too_fine,
-                    "The variable \"" + name + "\" makes a bound finer than double precision can carry.",
+                    "The variable “" + name + "” makes a bound finer than double precision can carry.",
                     name,
                     {}};
     return {};

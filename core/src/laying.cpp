@@ -82,7 +82,7 @@ void Laying::cross_straight(const Piece& piece, std::size_t first) {
     if (first == crossings_.size()) return;
     const glm::dvec2 start = place_of(piece.start), direction = place_of(piece.end) - start;
     const double start_s = start_of(piece), end_s = end_of(piece);
-    double reached = 0;
+    double reached = 0, before = start_s;
     for (std::size_t n = first; n < crossings_.size(); ++n) {
         NewCrossing& crossing = crossings_[n];
         const NewTriangle& triangle = tree_->triangle(crossing.triangle);
@@ -93,7 +93,8 @@ void Laying::cross_straight(const Piece& piece, std::size_t first) {
         const double low = reached + least_gap * (1 - reached), high = 1 - least_gap * (1 - low);
         reached = clamped(meeting, low, high);
         crossing.t = clamped(glm::dot(start + reached * direction - a, along) / glm::dot(along, along), 0, 1);
-        crossing.s = start_s + reached * (end_s - start_s);
+        // Where the room is a few units in the last place, rounding would put it beyond its neighbours.
+        crossing.s = before = clamped(start_s + reached * (end_s - start_s), before, end_s);
     }
 }
 
@@ -102,8 +103,8 @@ void Laying::choose(const Piece& piece, std::size_t first, std::size_t n, double
     NewCrossing& crossing = crossings_[n];
     const double before = n == first ? start_of(piece) : crossings_[n - 1].s;
     const double behind = n + 1 == crossings_.size() ? end_of(piece) : crossings_[n + 1].s;
-    const double low = std::min(crossing.s, before + least_gap * (behind - before));
-    const double high = std::max(crossing.s, behind - least_gap * (behind - before));
+    const double low = std::min(crossing.s, before + least_gap * (behind - before));  // never below the one before …
+    const double high = std::max(crossing.s, behind - least_gap * (behind - before)); // … nor above the one behind
     const JointSegment original{rows_[map_.edges.lower(piece.original)], rows_[map_.edges.upper(piece.original)]};
     const NewTriangle& triangle = tree_->triangle(crossing.triangle);
     const JointSegment diagonal{products_.ring_row(triangle.a), products_.ring_row(triangle.b)};

@@ -34,8 +34,8 @@ Status check_step(const Mesh& mesh, const LevelBounds& bounds, std::size_t level
         if (coarser >= finer) continue;
         const std::string& name = variable_name(mesh, i);
         return {Fault::bad_levels,
-                "The bound of \"" + name + "\" falls from " + number_text(finer) + " in " + name_of(level - 1) +
-                    " to " + number_text(coarser) + " in " + name_of(level) +
+                "The bound of “" + name + "” falls from " + number_text(finer) + " in " + name_of(level - 1) + " to " +
+                    number_text(coarser) + " in " + name_of(level) +
                     "; levels go from fine to coarse, so no bound may fall.",
                 name, level};
     }

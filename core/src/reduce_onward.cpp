@@ -62,7 +62,7 @@ Status subtract_spent(const Waypoint& waypoint, std::vector<ResolvedBound>& boun
         rest.absolute -= variable.error + rounding_margin(bounds[i]) * bounds[i].absolute;
         if (!(rest.absolute > 0) || !can_be_carried(rest))
             return {Fault::bad_waypoint,
-                    "The bound of \"" + variable.name + "\" is " + number_text(bounds[i].absolute) +
+                    "The bound of “" + variable.name + "” is " + number_text(bounds[i].absolute) +
                         "; the waypoint has spent " + number_text(variable.error) + " of it.",
                     variable.name,
                     {}};

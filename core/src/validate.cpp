@@ -23,7 +23,7 @@ constexpr std::size_t most_vertices = std::numeric_limits<std::uint32_t>::max() 
 /// What keeps a candidate from being removed is noted by the number of the variable; 0 is position.
 constexpr std::size_t most_variables = std::numeric_limits<decltype(Verdict::variable)>::max();
 
-std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+std::string quoted(const std::string& name) { return "“" + name + "”"; }
 
 Status check_sizes(const Mesh& mesh) {
     if (mesh.position.components != 3 || value_count(mesh.position) % 3 != 0)

@@ -81,6 +81,37 @@ test('shows the same to people, a row for each component', async () => {
   expect(stdout).toMatch(/^ {4}x +0 +1$/m);
 });
 
+test('numbers far from the origin have the digits that tell them apart', async () => {
+  const position = Float64Array.from(mesh.position, (value, i) => value + [500_000, 6_000_000, 12][i % 3]);
+  const [pressure, ...others] = mesh.variables;
+  const values = Float64Array.from(pressure.values, (_, i) => 101325 + 0.001 * (i % 7));
+  await folder.save('far.vtp', { ...mesh, position, variables: [{ ...pressure, values }, ...others] });
+  const { stdout } = await folder.run('inspect', 'far.vtp');
+  expect(stdout).toMatch(/^ {4}x +500000 +500001$/m);
+  expect(stdout).toMatch(/^ {4}y +6000000 +6000001$/m);
+  expect(stdout).toMatch(/^ {2}pressure +1 +101325 +101325\.006 /m);
+  expect(stdout).toMatch(/^ {2}temperature +1 +[\d.]{3,6} +[\d.]{3,6} /m);
+});
+
+test('cell data are said to be what --region takes, or why not', async () => {
+  const cells = (numbers: string, name: string) => `SCALARS ${name} double\nLOOKUP_TABLE default\n${numbers}\n`;
+  const geometry = 'DATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\nPOLYGONS 2 8\n3 0 1 2\n3 1 3 2\n';
+  folder.write(
+    'parts.vtk',
+    `# vtk DataFile Version 3.0\nt\nASCII\n${geometry}CELL_DATA 2\n${cells('7 9', 'part')}${cells('0.5 1', 'load')}`,
+  );
+  const { stdout, stderr } = await folder.run('inspect', 'parts.vtk');
+  expect(stdout).toContain('Cell data “part”, 2 labels: --region takes it');
+  expect(stdout).toContain('Cell data “load” cannot part the surface into regions: cell 0, counted from 0, has 0.5');
+  expect(stderr).not.toContain('“part”');
+  expect((await json('parts.vtk')).cellData).toEqual([
+    { name: 'part', labels: 2, unfit: null },
+    { name: 'load', labels: null, unfit: expect.stringContaining('0.5') },
+  ]);
+  const args = ['-o', 'out.vtk', '-b', 'position=1%', '--region', 'part'];
+  expect(await folder.run('reduce', 'parts.vtk', ...args)).toMatchObject({ status: 0 });
+});
+
 test('what the reader did is said, on standard error unless it is part of the JSON', async () => {
   folder.write(
     'wrong.ply',

@@ -252,7 +252,7 @@ TEST_P(LevelsTest, NameTheLevelAtFault) {
     Levels levels;
     const Mesh mesh = meshes::gallery()[0].mesh;
     const Status falls = reduce_levels(mesh, {promise::percent(2, 6), promise::percent(1, 6)}, {}, levels);
-    EXPECT_THAT(falls.message, testing::AllOf(testing::HasSubstr("\"position\""), testing::HasSubstr("level 1"),
+    EXPECT_THAT(falls.message, testing::AllOf(testing::HasSubstr("“position”"), testing::HasSubstr("level 1"),
                                               testing::HasSubstr("level 2")));
     const Status bad = reduce_levels(mesh, {promise::percent(2, 6), promise::percent(3, -1)}, {}, levels);
     EXPECT_THAT(bad.message, testing::HasSubstr("level 2"));

@@ -293,7 +293,7 @@ TEST_P(Onward, NamesTheVariableWhoseBoundIsSpent) {
     const Status status = refused(waypoint, tight);
     EXPECT_EQ(status.fault, Fault::bad_waypoint);
     EXPECT_EQ(status.variable, "wave");
-    EXPECT_THAT(status.message, testing::HasSubstr("\"wave\""));
+    EXPECT_THAT(status.message, testing::HasSubstr("“wave”"));
     EXPECT_EQ(refused(waypoint, promise::percent(0.001, 3)).variable, "position");
 }
 

@@ -126,7 +126,7 @@ TEST(Validate, NonFiniteValue) {
     EXPECT_EQ(scalar.fault, Fault::non_finite_value);
     EXPECT_EQ(scalar.variable, "heat");
     EXPECT_EQ(scalar.index, 4U);
-    EXPECT_THAT(scalar.message, HasSubstr("\"heat\""));
+    EXPECT_THAT(scalar.message, HasSubstr("“heat”"));
     const Status vector = fault_of([](Input& input) { doubles(input.mesh.variables[1])[3 * 9 + 2] = infinity; });
     EXPECT_EQ(vector.fault, Fault::non_finite_value);
     EXPECT_EQ(vector.variable, "wind");
@@ -194,7 +194,7 @@ TEST(Validate, DuplicateName) {
         const Status status = fault_of([name](Input& input) { input.mesh.variables[1].name = name; });
         EXPECT_EQ(status.fault, Fault::duplicate_name);
         EXPECT_EQ(status.index, 1U);
-        EXPECT_THAT(status.message, HasSubstr(std::string("\"") + name + "\""));
+        EXPECT_THAT(status.message, HasSubstr(std::string("“") + name + "”"));
     }
 }
 
@@ -202,7 +202,7 @@ TEST(Validate, UnknownVariable) {
     const Status status = fault_of([](Input& input) { input.bounds.push_back({"haet", relative(0.1)}); });
     EXPECT_EQ(status.fault, Fault::unknown_variable);
     EXPECT_EQ(status.variable, "haet");
-    EXPECT_THAT(status.message, HasSubstr("\"haet\""));
+    EXPECT_THAT(status.message, HasSubstr("“haet”"));
 }
 
 TEST(Validate, BadBound) {
@@ -212,7 +212,7 @@ TEST(Validate, BadBound) {
                 const Status status = fault_of([&](Input& input) { input.bounds.push_back({name, bound}); });
                 EXPECT_EQ(status.fault, Fault::bad_bound) << bad;
                 EXPECT_EQ(status.variable, name);
-                EXPECT_THAT(status.message, HasSubstr(std::string("\"") + name + "\""));
+                EXPECT_THAT(status.message, HasSubstr(std::string("“") + name + "”"));
             }
 }
 
@@ -220,7 +220,7 @@ TEST(Validate, BoundTooFine) {
     const Status relative_bound = fault_of([](Input& input) { input.bounds.push_back({"heat", relative(1e-17)}); });
     EXPECT_EQ(relative_bound.fault, Fault::bound_too_fine);
     EXPECT_EQ(relative_bound.variable, "heat");
-    EXPECT_THAT(relative_bound.message, HasSubstr("\"heat\""));
+    EXPECT_THAT(relative_bound.message, HasSubstr("“heat”"));
     EXPECT_THAT(relative_bound.message, testing::Not(HasSubstr(" 0.000000"))) << "the bound is small, not zero";
     EXPECT_EQ(fault_of([](Input& input) {
                   input.bounds.push_back({"position", absolute(1e-300)});

@@ -117,8 +117,8 @@ test('what cannot be kept is said, and what was shown stays', async ({ page }) =
     ['focus-point', '0,0,0,1,7', /factor of a focus must be above zero and at most 1/],
     ['lock-regions', 'all', /“all” is not the number of a region/],
     ['regions', 'material', /no cell data “material” to part it into regions; it has none/],
-    ['focus-variable', 'vx', /"vx", which multiplies the bounds, is not above zero/],
-    ['focus-variable', 'wind', /multiplied by "wind", but there is no such variable/],
+    ['focus-variable', 'vx', /“vx”, which multiplies the bounds, is not above zero/],
+    ['focus-variable', 'wind', /multiplied by “wind”, but there is no such variable/],
   ] as const) {
     await viewer.evaluate((element, [name, text]) => element.setAttribute(name, text), [attribute, value]);
     await expect(viewer.getByRole('alert').filter({ hasText: says })).toBeVisible();

@@ -237,6 +237,61 @@ describe('a glTF scene', () => {
     expect(asked).toEqual(['data/my scene.bin']);
   });
 
+  it('is read past damaged, huge and missing data that it does not need', async () => {
+    const { json, binary } = squareFile;
+    const file = {
+      asset: { version: '2.0' },
+      buffers: [
+        { byteLength: binary.length, uri: dataUri() },
+        { byteLength: 9, uri: 'walk.bin' },
+        { uri: 'https://a.b/c' },
+      ],
+      bufferViews: [...json.bufferViews, { buffer: 1, byteOffset: 99, byteLength: 9 }, { buffer: 7 }],
+      accessors: [
+        ...json.accessors,
+        { bufferView: 2, componentType: 5126, count: 4, type: 'VEC3' },
+        { componentType: 5126, count: 2 ** 31, type: 'VEC4' },
+        {},
+      ],
+      meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+      animations: [{ channels: [], samplers: [{ input: 2, output: 3 }] }],
+      images: [{ bufferView: 3 }],
+    };
+    const { mesh, summary } = await read(new TextEncoder().encode(JSON.stringify(file)));
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 2, 3]);
+    expect(summary).toContain('Not carried: animations');
+  });
+
+  it.each([
+    ['KHR_draco_mesh_compression', 'primitives'],
+    ['EXT_meshopt_compression', 'bufferViews'],
+    ['KHR_meshopt_compression', 'bufferViews'],
+    ['EXT_meshopt_compression', 'buffers'],
+    ['KHR_draco_mesh_compression', 'extensionsRequired'],
+    ['KHR_draco_mesh_compression', 'extensionsUsed'],
+  ])('compressed by %s, as %s say, is refused by that name before anything else', async (name, place) => {
+    const item = { extensions: { [name]: {} } };
+    const list = place.startsWith('extensions') ? { [place]: [name] } : { [place]: [item] };
+    const mesh = { primitives: [{ ...(place === 'primitives' ? item : {}), attributes: { POSITION: 1 }, indices: 9 }] };
+    // Nothing of this file is right, but for its being JSON.
+    const broken = { asset: {}, ...list, meshes: [mesh], accessors: [{}, {}, 7], nodes: 'none' };
+    await expectFault(JSON.stringify(broken), 'unsupported_feature', `“${name}”`, 'uncompressed');
+    await expectFault(glbFile(broken, new Uint8Array(4)), 'unsupported_feature', `“${name}”`);
+  });
+
+  it('that only lists a compression which nothing has is read, and so are compressed textures and whole numbers', async () => {
+    const extensionsUsed = ['KHR_draco_mesh_compression', 'KHR_mesh_quantization', 'KHR_texture_basisu'];
+    const whole: GltfArray = { components: 3, values: Int16Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0) };
+    const primitive = { attributes: { POSITION: 0 }, indices: 1 };
+    const file = scene([whole, corners], [primitive], {
+      extensionsUsed,
+      extensionsRequired: ['KHR_mesh_quantization'],
+    });
+    const { mesh, summary } = await read(file);
+    expect(Array.from(mesh.position)).toEqual([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]);
+    expect(summary).toContain('Extensions passed over: “KHR_draco_mesh_compression”, “KHR_texture_basisu”.');
+  });
+
   it('welds what was repeated for drawing', async () => {
     const torn = { components: 3, values: Float32Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1) };
     const normals = { components: 3, values: Float32Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1, 0, 0, 1, 0) };
@@ -278,6 +333,10 @@ describe('a hostile glTF file', () => {
   });
   const unused = { componentType: 5126, count: 2 ** 31, type: 'VEC4' };
   const huge = { accessors: [...accessorsOf([square, corners]).json.accessors, ...Array(1000).fill(unused)] };
+  const greedy = {
+    ...good,
+    attributes: { POSITION: 0, ...Object.fromEntries(Array.from({ length: 1000 }, (_, i) => [`_A${i}`, 2 + i])) },
+  };
   const withIndices = (indices: GltfArray) => scene([square, indices], [good]);
   const withView = (change: object) => {
     const { json, binary } = accessorsOf([square, corners]);
@@ -314,7 +373,7 @@ describe('a hostile glTF file', () => {
     ],
     ['with nodes in a circle', scene([square, corners], [good], cycle), 'bad_header', 'Node'],
     ['with a missing node', scene([square, corners], [good], { nodes: [{ children: [7] }] }), 'bad_header', 'Node 7'],
-    ['with accessors for all memory', scene([square, corners], [good], huge), 'too_large', 'accessors'],
+    ['with accessors for all memory', scene([square, corners], [greedy], huge), 'too_large', 'accessors'],
     ['with a mesh shown too often', repeated, 'too_large', 'nodes'],
     [
       'with 2^32 − 1 elements',
@@ -420,7 +479,10 @@ describe('a hostile glTF file', () => {
     ['with a number for a URI', scene([square, corners], [good], { buffers: [{ uri: 1 }] }), 'bad_header', 'buffer 0'],
     [
       'with a second buffer that is nowhere',
-      scene([square, corners], [good], { buffers: [{ byteLength: 60 }, { byteLength: 60 }] }),
+      scene([square, corners], [good], {
+        buffers: [{ byteLength: 60 }, { byteLength: 60 }],
+        bufferViews: squareFile.json.bufferViews.map((view, i) => ({ ...view, buffer: i })),
+      }),
       'truncated',
       'Buffer 1',
       'has 0',

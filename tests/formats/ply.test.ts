@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { readSurface } from '../../web/formats/read.ts';
 import { writeSurface } from '../../web/formats/write.ts';
-import { expectFault } from './faults.ts';
+import { expectFault, faultOf } from './faults.ts';
 import { faces, type PlyPart, plyFile, plyOrders, square } from './ply-file.ts';
 import { awkwardDoubles, awkwardFloats, bits, bytesOf, smallMesh } from './sample-mesh.ts';
 
@@ -136,9 +136,30 @@ describe.each(plyOrders)('PLY, %s', (order) => {
     await expectFault(plyFile(order, [square, faces([0, 1, 2], corners)]), 'bad_index', ...words);
   });
 
-  it.each([0, 1, 2])('refuses a face of %i corners', async (corners) => {
-    const file = plyFile(order, [square, faces([0, 1, 2], [0, 1].slice(0, corners))]);
-    await expectFault(file, 'bad_polygon', 'Face 1', `${corners} corner`);
+  it.each([0, 1, 2])('leaves a face of %i corners out, and counts it', async (corners) => {
+    const short = [0, 1].slice(0, corners);
+    const rows = [[0, 1, 2], short, [0, 1, 2, 3], short].map((row, i) => [row, 10 + i]);
+    const face = { ...faces(), properties: [...faces().properties, 'int part'], rows };
+    const { mesh, notes, regions } = await readSurface('', plyFile(order, [square, face]));
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 1, 2, 0, 2, 3]);
+    expect(notes).toContain('2 faces with fewer than three corners left out.');
+    expect(regions?.get('part')).toEqual(Int32Array.of(10, 12, 12));
+    await expectFault(plyFile(order, [square, faces(short)]), 'no_triangles', 'no faces');
+  });
+
+  it('does not ask whether the points of a face exist that is none', async () => {
+    const { mesh } = await readSurface('', plyFile(order, [square, faces([0, 9], [0, 1, 2])]));
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 2]);
+  });
+
+  it('ends strips with the largest index, too, where indices have no sign', async () => {
+    const strips = {
+      name: 'tristrips',
+      properties: ['list uint uint vertex_indices'],
+      rows: [[[0, 1, 3, 2, 2 ** 32 - 1, 2, 1, 0, 2 ** 32 - 1]]],
+    };
+    const { mesh } = await readSurface('', plyFile(order, [square, strips]));
+    expect(Array.from(mesh.triangles)).toEqual([0, 1, 3, 1, 2, 3, 2, 1, 0]);
   });
 
   it('refuses lists of negative length', async () => {
@@ -278,6 +299,30 @@ describe('PLY in ASCII', () => {
     }
   });
 
+  it('reads a header whose lines end in different ways', async () => {
+    const binary = plyFile('binary_little_endian', [
+      { ...square, rows: square.rows.map(([x, y, z]) => [x, y, z]) },
+      faces([0, 1, 2]),
+    ]);
+    const headEnd = new TextDecoder('latin1').decode(binary).indexOf('end_header\n') + 'end_header\n'.length;
+    const lines = new TextDecoder().decode(binary.subarray(0, headEnd)).trimEnd().split('\n');
+    for (const [breaks, last] of [
+      [['\r\n'], '\n'],
+      [['\n'], '\r\n'],
+      [['\n', '\r\n', '\r'], '\n'],
+      [['\r', '\n'], '\r\n'],
+      [['\r'], '\r'],
+      [['\r'], '\n'],
+    ] as const) {
+      const [head, end] = [lines.slice(0, -1), lines.at(-1)];
+      const text = head.map((line, i) => `${line}${breaks[i % breaks.length]}`).join('') + end + last;
+      const file = Uint8Array.from([...bytesOf(text), ...binary.subarray(headEnd)]);
+      expect((await readSurface('', file)).mesh.triangles, JSON.stringify([breaks, last])).toEqual(
+        Uint32Array.of(0, 1, 2),
+      );
+    }
+  });
+
   it('says when the last number may have been cut', async () => {
     const { notes } = await readSurface('', bytesOf(withValue('7').trimEnd()));
     expect(notes).toEqual([expect.stringContaining('line break')]);
@@ -286,6 +331,68 @@ describe('PLY in ASCII', () => {
   it('says when there is more than the header declares', async () => {
     const { notes } = await readSurface('', bytesOf(`${withValue('7')}3 0 1 2\n`));
     expect(notes).toEqual([expect.stringMatching(/8 bytes after the last element/)]);
+  });
+});
+
+describe('rows of an ASCII PLY file', () => {
+  const head = (...elements: string[]) => ['ply', 'format ascii 1.0', ...elements, 'end_header', ''].join('\n');
+  const points = 'element vertex 4\nproperty float x\nproperty float y\nproperty float z';
+  const faceList = 'element face 2\nproperty list uchar int vertex_indices';
+  const places = ['0 0 0', '1 0 0', '1 1 0', '0 1 0'];
+  const read = async (header: string, ...lines: string[]) =>
+    readSurface('', bytesOf(`${header}${lines.map((line) => `${line}\n`).join('')}`));
+
+  it('may lie in their lines anyhow', async () => {
+    const tokens = [...places, '3 0 1 2', '3 0 2 3'];
+    const ways = [
+      tokens.map((row) => `  ${row}\t `), // blanks
+      tokens.flatMap((row) => [row, '', ' ']), // empty lines
+      tokens.flatMap((row) => row.split(' ')), // a number a line
+      tokens.map((row) => row.replace(' ', '\r\n')), // two lines a row
+      [tokens.join(' ')], // all in one
+      [tokens.slice(0, 4).join(' '), tokens.slice(4).join('  ')], // an element a line
+    ];
+    for (const lines of ways) {
+      const { mesh, notes } = await read(head(points, faceList), ...lines);
+      expect(Array.from(mesh.triangles)).toEqual([0, 1, 2, 0, 2, 3]);
+      expect(notes).toEqual([]);
+    }
+  });
+
+  it('are read line by line where they have more numbers than declared', async () => {
+    const flagged = `${faceList}\nproperty uchar flag`;
+    for (const [header, lines, words] of [
+      [head(points, flagged), [...places, '3 0 1 2 5 3 0', '3 0 2 3 5 3 0'], '2 lines have'],
+      [head(points, faceList), [...places, '3 0 1 2 3 1 2 3', '3 0 2 3 3 1 2 3'], '2 lines have'],
+      [head(points, faceList), [...places.map((row) => `${row} 1`), '3 0 1 2', '3 0 2 3'], '4 lines have'],
+      [head(points, faceList), [...places, '', '3 0 1 2', '', '3 0 2 3 7'], '2 bytes after the last element'],
+      [head(points, faceList), [...places, '3 0 1 2 # red', '3 0 2 3'], '1 line has'],
+      [head(points, faceList), [...places.with(3, '0 1 0 3 0 1 2'), '3 0 1 2', '3 0 2 3'], '1 line has'],
+      [
+        head(points, flagged, 'element edge 1\nproperty int a'),
+        [...places, '3 0 1 2 5 4', '3 0 2 3 5', '1'],
+        '1 line has',
+      ],
+    ] as const) {
+      const { mesh, summary } = await read(header, ...lines);
+      expect(Array.from(mesh.triangles), lines.join('|')).toEqual([0, 1, 2, 0, 2, 3]);
+      expect(Array.from(mesh.position)).toEqual([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]);
+      expect(summary, lines.join('|')).toContain(words);
+    }
+  });
+
+  it('are refused by their line where neither numbers nor lines fit', async () => {
+    for (const [lines, line] of [
+      // Two lines a row, one number too many.
+      [[...places.map((row) => row.replace(' ', '\n')), '3 0\n1 2 7', '3 0\n2 3'], 'line 19'],
+      // One row too short, another one too long.
+      [[...places.with(1, '1 0'), '3 0 1 2 0', '3 0 2 3'], 'line 12'],
+      // All faces in one line, which has too much.
+      [[...places, '3 0 1 2 9 3 0 2 3'], 'line 14'],
+    ] as const) {
+      const { message } = await faultOf(`${head(points, faceList)}${lines.join('\n')}\n`);
+      expect(message).toContain(line);
+    }
   });
 });
 

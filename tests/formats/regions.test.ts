@@ -82,8 +82,15 @@ describe.each([
     expect(summary).toMatch(/Not carried: cell data “part”; 1 line\..*Cell Data to Point Data/);
   });
 
-  it('do not hide that a polygon has too few corners', async () => {
-    await expectFault(file({ polygons: ['1 0', '1 1'] }), 'bad_polygon', 'Polygon 0 has 1 corner');
+  it('stay with their triangles where polygons have too few corners', async () => {
+    const { mesh, regions, notes } = await read({
+      polygons: ['1 0', '3 0 1 2', '2 0 1', '4 0 1 2 3', '0'],
+      values: [9, 1, 2, 3, 4, 5],
+    });
+    expect(mesh.triangles).toHaveLength(9);
+    expect(regions).toEqual(new Map([['part', Int32Array.of(2, 4, 4)]]));
+    expect(notes).toContain('3 polygons with fewer than three corners left out.');
+    await expectFault(file({ polygons: ['1 0', '1 1'] }), 'no_triangles', 'no polygons');
   });
 });
 

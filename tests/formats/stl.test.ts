@@ -90,9 +90,81 @@ describe('STL', () => {
       'line 7',
     ],
     ['with one end of a facet too many', `solid\n${facet}endfacet\nendsolid`, 'bad_polygon', 'Facet 1', '0 corners'],
-    ['with an unknown line', `solid\n${facet}colour red\nendsolid`, 'bad_header', '“colour red”', 'line 9'],
   ] as const)('in text %s is refused', async (_, text, code, ...words) => {
     await expectFault(text, code, ...words);
+  });
+
+  const square = facet + facet.replace('1 0 0', '0 1 0').replace('0 .1 0', '-1 0 0');
+
+  it.each([
+    ['a comment', `# by a mesher\n// of two\n; kinds\n! or more\nsolid x\n${square}endsolid x\n`],
+    ['a long comment', `${'# remark\n'.repeat(2000)}solid x\n${square}endsolid x\n`],
+    ['a byte order mark', `\u{FEFF}solid x\n${square}endsolid x\n`],
+    ['empty lines', `\r\n\r\n\tsolid x\n${square}endsolid x\n`],
+    ['no solid', square],
+    ['a name of the words of facets', `solid facet of vertex\n${square}endsolid facet of vertex\n`],
+    ['everything in one line', `solid x ${square}endsolid x`.replaceAll('\n', ' ')],
+    ['several solids in one line', `solid x ${facet}endsolid x solid y ${facet}endsolid y`.replaceAll('\n', ' ')],
+    ['capitals', `SOLID X\n${square.toUpperCase()}ENDSOLID X\n`],
+    ['no normals', `solid\n${square.replaceAll(' normal 0 0 1', '')}endsolid\n`],
+    ['normals that are no numbers', `solid\n${square.replaceAll('0 0 1', '-nan(ind) ? x')}endsolid\n`],
+    ['a control character of DOS at its end', `solid\n${square}endsolid\n\u001A`],
+    ['tabs', `solid\t x\n${square.replaceAll(' ', '\t')}endsolid\n`],
+  ])('is read as text with %s', async (_, text) => {
+    const { mesh, format, notes } = await readSurface('part', bytesOf(text));
+    expect(format).toBe('stl');
+    expect(mesh.triangles).toHaveLength(6);
+    expect(Array.from(mesh.position.subarray(0, 6))).toEqual([0, 0, 0, 1, 0, 0]);
+    expect(notes.filter((note) => !note.includes('welded') && !note.includes('passed over'))).toEqual([]);
+  });
+
+  it('names colours and unknown lines of a text as passed over', async () => {
+    for (const place of ['solid x\n', 'solid x\nfacet normal 0 0 1\n']) {
+      const text = `solid x\n${square}endsolid\n`.replace(place, `${place}color 0.5 0.5 0.5\n`);
+      const { mesh, summary } = await readSurface('part', bytesOf(text));
+      expect(mesh.triangles).toHaveLength(6);
+      expect(summary).toContain('Not carried: colours.');
+    }
+    const { summary } = await readSurface('part', bytesOf(`solid x\n${square}colour red\ntag 7\ntag 8\nendsolid\n`));
+    expect(summary).toContain('3 lines passed over that no STL file has, beginning with “colour”, “tag”.');
+  });
+
+  it('is read as binary whatever its head says and whatever follows', async () => {
+    const file = await writeSurface('stl', smallMesh());
+    const heads = [
+      'solid part',
+      'solid\nfacet normal 0 0 1\nouter loop\nvertex',
+      '# a comment',
+      '',
+      'COLOR=',
+      '{',
+      'v 0 0 0',
+    ];
+    for (const head of heads) {
+      for (const tail of [0, 1, 4, 49, 50, 51, 500]) {
+        const bytes = new Uint8Array(file.length + tail);
+        bytes.set(file);
+        bytes.fill(32, 0, 80);
+        bytes.set(bytesOf(head));
+        bytes.fill(1, file.length);
+        const { mesh, summary } = await readSurface('part.stl', bytes);
+        expect(mesh.triangles, `${head} ${tail}`).toHaveLength(9);
+        if (tail > 0) expect(summary).toContain(`${tail} byte${tail > 1 ? 's' : ''} after the last facet passed over.`);
+      }
+    }
+  });
+
+  it('of binary facets that the head does not count has them counted by its size', async () => {
+    const file = await writeSurface('stl', smallMesh());
+    file.fill(0, 80, 84);
+    file.set(bytesOf('solid part'));
+    const { mesh, summary } = await readSurface('part.stl', file);
+    expect(mesh.triangles).toHaveLength(9);
+    expect(summary).toContain('The header declares no facets, but 3 facets follow, which were read.');
+    const longer = await readSurface('part.stl', Uint8Array.from([...file, 1, 2]));
+    expect(longer.summary).toContain('2 bytes after the last facet');
+    file.fill(255, 84);
+    await expect(readSurface('part.stl', file)).rejects.toMatchObject({ code: 'no_triangles' });
   });
 
   it('in binary is refused where the header declares more than the file holds', async () => {

@@ -1,8 +1,8 @@
 import { Worker } from 'node:worker_threads';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { reduce } from '../../wasm/index.ts';
-import type { Answer, Outcome } from '../../wasm/messages.ts';
-import type { Reduction } from '../../wasm/types.ts';
+import type { Answer } from '../../wasm/messages.ts';
+import type { Ending } from '../../wasm/tasks.ts';
 import { bumpyPlate } from './bumpy-plate.ts';
 
 const bounds = { '*': { relative: 0.01 } };
@@ -20,9 +20,9 @@ async function abortInFlight(): Promise<void> {
 }
 
 /** What a worker says when the task that it is at ends, which the caller of an aborted one is not told. */
-function outcomeOf(worker: Worker): Promise<Outcome<Reduction>> {
+function endingOf(worker: Worker): Promise<Ending> {
   return new Promise((resolve) => {
-    worker.on('message', (answer: Answer) => 'outcome' in answer && resolve(answer.outcome as Outcome<Reduction>));
+    worker.on('message', (answer: Answer) => 'ending' in answer && resolve(answer.ending));
   });
 }
 
@@ -51,7 +51,8 @@ describe('abort', () => {
     const posts = vi.spyOn(Worker.prototype, 'postMessage');
     await abortInFlight();
     const worker = posts.mock.contexts[0] as Worker;
-    expect(await outcomeOf(worker)).toMatchObject({ ok: true, value: { report: { stopped: 'cancelled' } } });
+    const { outcome } = await endingOf(worker);
+    expect(outcome).toMatchObject({ ok: true, value: { report: { stopped: 'cancelled' } } });
     await expect(reduce(small, { bounds })).resolves.toBeDefined();
     expect(new Set(posts.mock.contexts)).toEqual(new Set([worker]));
   });

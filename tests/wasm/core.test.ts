@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { createCancelFlag, isRaised, raise } from '../../wasm/cancel-flag.ts';
 import { loadCore } from '../../wasm/load-core.ts';
-import type { Outcome } from '../../wasm/messages.ts';
+import type { Outcome } from '../../wasm/tasks.ts';
 import { transferables } from '../../wasm/transferables.ts';
 import { bumpyPlate } from './bumpy-plate.ts';
 

@@ -95,7 +95,7 @@ describe('reduceLevels', () => {
     {
       what: 'a bound that falls',
       given: [percent(2), percent(1)],
-      message: /"position" falls.*level 1.*level 2/,
+      message: /“position” falls.*level 1.*level 2/,
       fault: { code: 'bad_levels', variable: 'position', index: 1 },
     },
     {

@@ -153,7 +153,7 @@ describe('the freedom of the map', () => {
     const choosePlaces = 'no' as unknown as boolean;
     await expect(reduce(mesh, { bounds, choosePlaces })).rejects.toMatchObject({
       code: 'bad_option',
-      message: 'The option choosePlaces cannot be "no".',
+      message: 'The option choosePlaces cannot be “no”.',
     });
   });
 });

@@ -189,6 +189,6 @@ describe('a focus', () => {
   });
 
   test.each(['none', 'heat'])('that cannot multiply is refused by its name, %s', async (focus) => {
-    for (const focusPoint of [null, point]) await expect(reduced({ focus, focusPoint })).rejects.toThrow(`"${focus}`);
+    for (const focusPoint of [null, point]) await expect(reduced({ focus, focusPoint })).rejects.toThrow(`“${focus}`);
   });
 });

@@ -1,4 +1,5 @@
 import { type ParseArgsConfig, parseArgs } from 'node:util';
+import { foreign } from '../formats/wording.ts';
 import { UsageFault } from './fault.ts';
 
 type Options = NonNullable<ParseArgsConfig['options']>;
@@ -28,7 +29,7 @@ function parse<Known extends Options>(args: string[], options: Known) {
   } catch (error) {
     if (!(error instanceof TypeError)) throw error;
     // The first sentence says it; what follows is advice for programmers.
-    throw new UsageFault(ambiguity(error.message, args, options) ?? `${error.message.split(/\.\s|\.$/)[0]}.`);
+    throw new UsageFault(ambiguity(error.message, args, options) ?? `${foreign(error.message.split(/\.\s|\.$/)[0])}.`);
   }
 }
 

@@ -7,6 +7,7 @@ import { interruptible } from './interruption.ts';
 import { sayNotes } from './notes.ts';
 import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, openSurface, outputFormat } from './surface-files.ts';
+import { parseWeld, weldHelp } from './weld-argument.ts';
 
 const help = `Writes a surface in another format, with every variable that the format holds, and cell data of whole numbers.
 
@@ -17,6 +18,7 @@ and .gz behind any of them. What OUT cannot hold is said on standard error.
 
 Options:
   --variables FILE.csv    more variables of IN: names in the first line, then a line for each point
+  ${weldHelp}
   --exclude NAME          leave a variable out, as often as needed
   --quiet                 say nothing but errors
 
@@ -30,15 +32,17 @@ async function run(args: string[]): Promise<number> {
   const { values, positionals } = parseArguments(args, {
     options: {
       variables: { type: 'string' },
+      weld: { type: 'string' },
       exclude: { type: 'string', multiple: true, default: [] as string[] },
       quiet: { type: 'boolean' },
     },
     positionals: ['IN', 'OUT'],
   });
   const [input, output] = positionals;
+  const weld = parseWeld(values.weld);
   outputFormat(output);
   await requireWritable([output]);
-  const surface = without(values.exclude, await openSurface(input, values.variables));
+  const surface = without(values.exclude, await openSurface(input, values.variables, { weld }));
   const losses = await interruptible((signal) =>
     StagedFiles.complete(signal, async (files) => {
       const { bytes, losses } = await encodeSurface(output, surface.mesh, { ...surface, cellData: surface.regions });

@@ -1,5 +1,6 @@
 import type { Variable } from '../../wasm/index.ts';
-import { grouped, listed } from '../formats/wording.ts';
+import { withoutRegionNotes } from '../formats/region-notes.ts';
+import { counted, grouped, listed, printable, quoted } from '../formats/wording.ts';
 import { topologyOf } from '../surface/topology.ts';
 import { spanOf } from '../surface/value-span.ts';
 import { parseArguments } from './arguments.ts';
@@ -7,7 +8,8 @@ import type { Command } from './command.ts';
 import { exitStatus } from './exit-status.ts';
 import { sayNotes } from './notes.ts';
 import { type OpenedSurface, openSurface } from './surface-files.ts';
-import { numberText, textTable } from './text-table.ts';
+import { numberText, rangeTexts, textTable } from './text-table.ts';
+import { parseWeld, weldHelp } from './weld-argument.ts';
 
 const help = `Shows what a surface is like, and what its variables span.
 
@@ -20,6 +22,7 @@ bound is a fraction) and how many values are NaN or infinite.
 
 Options:
   --variables FILE.csv    more variables of FILE: names in the first line, then a line for each point
+  ${weldHelp}
   --json                  the same for programs
   --quiet                 say nothing of how the file was read
 
@@ -28,7 +31,7 @@ Examples:
   meshbound inspect --json engine.vtp | jq '.variables[].name'`;
 
 /** What `--json` prints; documented in docs/command-line.md. */
-function inspection({ path, format, mesh, units, componentNames, notes }: OpenedSurface) {
+function inspection({ path, format, mesh, units, componentNames, notes, regions, unfitRegions }: OpenedSurface) {
   const vertices = mesh.position.length / 3;
   const describe = (variable: Variable) => {
     const { components, extent, magnitude, constant, nan, infinite } = spanOf(variable);
@@ -54,11 +57,24 @@ function inspection({ path, format, mesh, units, componentNames, notes }: Opened
     vertices,
     ...topologyOf(mesh.triangles, vertices),
     variables: [position, ...mesh.variables].map(describe),
-    notes,
+    cellData: [
+      ...[...(regions ?? [])].map(([name, labels]) => ({ name, labels: new Set(labels).size, unfit: null })),
+      ...[...(unfitRegions ?? [])].map(([name, unfit]) => ({ name, labels: null, unfit })),
+    ],
+    notes: withoutRegionNotes(notes, regions),
   };
 }
 
 type Inspection = ReturnType<typeof inspection>;
+
+/** Which cell data `reduce --region` takes, and why it does not take others. */
+function cellDataLines({ cellData }: Inspection): string[] {
+  return cellData.map(({ name, labels, unfit }) =>
+    labels === null
+      ? `  Cell data ${quoted(name)} cannot part the surface into regions: ${printable(unfit ?? '')}.`
+      : `  Cell data ${quoted(name)}, ${counted(labels, 'label')}: --region takes it, and parts the surface by it.`,
+  );
+}
 
 function countsText(found: Inspection): string {
   const counts: [string, number][] = [
@@ -91,7 +107,7 @@ function variableRows({
   nan,
   infinite,
 }: Inspection['variables'][0]) {
-  const ends = range.map((each) => each?.map(numberText) ?? ['', '']);
+  const ends = range.map((each) => (each ? rangeTexts(each) : ['', '']));
   const title = unit ? `${name} (${unit})` : name;
   const single = components === 1;
   const row = [
@@ -120,16 +136,29 @@ function print(found: Inspection): void {
   }
 }
 
+function printCellData(found: Inspection): void {
+  const lines = cellDataLines(found);
+  if (lines.length > 0) console.log(`\n${lines.join('\n')}`);
+}
+
 async function run(args: string[]): Promise<number> {
   const { values, positionals } = parseArguments(args, {
-    options: { variables: { type: 'string' }, json: { type: 'boolean' }, quiet: { type: 'boolean' } },
+    options: {
+      variables: { type: 'string' },
+      weld: { type: 'string' },
+      json: { type: 'boolean' },
+      quiet: { type: 'boolean' },
+    },
     positionals: ['FILE'],
   });
-  const surface = await openSurface(positionals[0], values.variables);
+  const surface = await openSurface(positionals[0], values.variables, { weld: parseWeld(values.weld) });
   const found = inspection(surface);
   if (values.json) console.log(JSON.stringify(found, undefined, 2));
-  else print(found);
-  if (!values.quiet && !values.json) sayNotes(surface.path, surface.notes);
+  else {
+    print(found);
+    printCellData(found);
+  }
+  if (!values.quiet && !values.json) sayNotes(surface.path, found.notes);
   return exitStatus.done;
 }
 

@@ -3,7 +3,7 @@ import { counted, grouped } from '../formats/wording.ts';
 import { type ReportOptions, reportJson, type Seams } from '../session/report-json.ts';
 import type { Bounds } from './bound-arguments.ts';
 import { type RegionNames, regionLines } from './region-text.ts';
-import { numberText, roundedUpText, textTable } from './text-table.ts';
+import { removedText, roundedUpText, textTable } from './text-table.ts';
 import { turnLines } from './turn-text.ts';
 
 /** A level with the file that holds it. */
@@ -27,12 +27,11 @@ export function levelsText(levels: LevelReport[], names?: RegionNames): string {
   const [{ report: first }] = levels;
   const { before } = first.triangles;
   const rows = levels.map(({ file, report: { triangles, variables } }, i) => {
-    const removed = numberText((100 * (before - triangles.after)) / before);
     const used = variables.reduce((most, variable) => (variable.ratio > most.ratio ? variable : most));
     return [
       `${i + 1}  ${file}`,
       grouped(triangles.after),
-      `${removed} %`,
+      removedText(before, triangles.after),
       roundedUpText(variables[0].error),
       used.ratio > 0 ? `${roundedUpText(used.ratio)} of ${used.name}` : '',
     ];

@@ -5,6 +5,7 @@ import { UsageFault } from './fault.ts';
 import { type Keeping, parseBox, parseFocus, parsePoints, parseRegion } from './keeping-arguments.ts';
 import { levelPaths, parseLevels } from './level-arguments.ts';
 import { outputFormat } from './surface-files.ts';
+import { parseWeld, weldHelp } from './weld-argument.ts';
 
 export const help = `Reduces a surface so that every bound holds at every point of it.
 
@@ -12,13 +13,14 @@ Usage: meshbound reduce IN -o OUT --bound NAME=BOUND …
        meshbound reduce IN -o OUT --levels BOUND,BOUND … [--bound NAME=BOUND,BOUND … …]
 
 A bound is the largest allowed error of a variable: 1% of its extent (the length of the diagonal of the box of its
-values), 0.2 in its unit, or free. "position" is the geometry, "*" every variable not named; of two bounds with one name
+values), 0.2 in its unit, or free. “position” is the geometry, “*” every variable not named; of two bounds with one name
 the later one holds. A variable without bound is free: it is carried along, and nothing is promised of it.
 
 Options:
   -o, --output OUT        the file to write: .vtp, .vtk, .ply, .glb, .obj or .stl, and .gz behind any of them
   -b, --bound NAME=BOUND  as often as needed
   --variables FILE.csv    more variables of IN: names in the first line, then a line for each point
+  ${weldHelp}
   --exclude NAME          leave a variable out, as often as needed
   --errors HOW            tracked (default): measured against the original at every step;
                           propagated: added up from removal to removal, as in the paper; more triangles stay
@@ -56,6 +58,7 @@ const signature = {
     output: { type: 'string', short: 'o' },
     bound: { type: 'string', short: 'b', multiple: true, default: [] as string[] },
     variables: { type: 'string' },
+    weld: { type: 'string' },
     exclude: { type: 'string', multiple: true, default: [] as string[] },
     errors: { type: 'string', default: 'tracked' },
     cost: { type: 'string', default: 'introduced' },
@@ -80,6 +83,8 @@ export interface Request {
   input: string;
   output: string;
   variables: string | undefined;
+  /** See ReadOptions. */
+  weld: number | undefined;
   exclude: string[];
   options: ReportOptions;
   /** Of levels of detail the bounds of each; those of `options` are the first ones. */
@@ -108,6 +113,7 @@ export function parseRequest(args: string[]): Request {
     input: positionals[0],
     output: values.output,
     variables: values.variables,
+    weld: parseWeld(values.weld),
     exclude: values.exclude,
     options: {
       bounds,

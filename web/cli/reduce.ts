@@ -10,8 +10,9 @@ import {
 import { labelsWithMap, takenMapNames, triangleName, withMap } from '../formats/map-variables.ts';
 import type { Labels } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
-import { droppedNotes, featureNotes, oddityNotes } from '../session/oddity-notes.ts';
+import { droppedNotes, featureNotes, nearPartsNotes, oddityNotes } from '../session/oddity-notes.ts';
 import { reportJson, type Seams } from '../session/report-json.ts';
+import { havePartsWithin } from '../surface/near-parts.ts';
 import { requireKnownBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
 import { without } from './exclude.ts';
@@ -29,8 +30,16 @@ import { requireWritable, StagedFiles } from './staged-files.ts';
 import { encodeSurface, type OpenedSurface, openSurface, requirePlaceFor } from './surface-files.ts';
 import { type FileNotes, writeLevelFiles } from './write-level-files.ts';
 
-async function openInput({ input, variables: csv, exclude, options, keeping, map }: Request): Promise<OpenedSurface> {
-  const surface = withRegions(keeping, without(exclude, await openSurface(input, csv)));
+async function openInput({
+  input,
+  variables: csv,
+  weld,
+  exclude,
+  options,
+  keeping,
+  map,
+}: Request): Promise<OpenedSurface> {
+  const surface = withRegions(keeping, without(exclude, await openSurface(input, csv, { weld })));
   requireKnownBounds(options.bounds, surface);
   requireFocus(keeping, surface);
   if (map) {
@@ -82,6 +91,8 @@ function namesOf({ regionNames, regionName }: OpenedSurface): RegionNames | unde
 /** What there is to say when all files are written. */
 interface Outcome {
   report: Report;
+  /** The largest bound of position that any result has. */
+  positionBound: number;
   /** What each file does not hold. */
   notes: FileNotes[];
   text: string;
@@ -99,7 +110,13 @@ async function writeResult(files: StagedFiles, request: Request, surface: Opened
     notes.push([path, losses]);
   }
   if (report) await files.write(report, reportJson(reduction.report, options, seamsOf(surface), namesOf(surface)));
-  return { report: reduction.report, notes, text: reportText(reduction.report, options, namesOf(surface)) };
+  const { bound: positionBound } = reduction.report.variables[0];
+  return {
+    report: reduction.report,
+    positionBound,
+    notes,
+    text: reportText(reduction.report, options, namesOf(surface)),
+  };
 }
 
 /** The same for levels of detail. */
@@ -116,7 +133,8 @@ async function writeLevels(
     report: level.report,
   }));
   if (report) await files.write(report, levelsJson(reports, options, seamsOf(surface), namesOf(surface)));
-  return { report: reports[0].report, notes, text: levelsText(reports, namesOf(surface)) };
+  const positionBound = Math.max(...reports.map(({ report: { variables } }) => variables[0].bound));
+  return { report: reports[0].report, positionBound, notes, text: levelsText(reports, namesOf(surface)) };
 }
 
 async function reduceAndWrite(
@@ -133,6 +151,11 @@ async function reduceAndWrite(
   }
   const call = (settings: Omit<ReduceOptions, 'bounds'>) => reduceLevels(mesh, { ...settings, levels });
   return writeLevels(files, request, surface, await callCore(surface, request, signal, call));
+}
+
+/** Whether nothing that was asked for keeps near parts from piercing each other. */
+function mayPierce({ refusePiercing, limitToFeatureSize }: Request['options']): boolean {
+  return !refusePiercing && !limitToFeatureSize;
 }
 
 async function run(args: string[]): Promise<number> {
@@ -154,6 +177,7 @@ async function run(args: string[]): Promise<number> {
       ...oddityNotes(oddities),
       ...droppedNotes(dropped),
       ...featureNotes(featureSize),
+      ...nearPartsNotes(mayPierce(options) && havePartsWithin(surface.mesh, outcome.positionBound)),
       ...unmetBoxNotes(options.lockBoxes, unmetBoxes),
       ...free,
     ]);

@@ -3,7 +3,7 @@ import { counted, grouped, listed } from '../formats/wording.ts';
 import type { ReportOptions } from '../session/report-json.ts';
 import { boundOf } from './bound-arguments.ts';
 import { type RegionNames, regionLines } from './region-text.ts';
-import { numberText, roundedUpText, textTable } from './text-table.ts';
+import { removedText, roundedUpText, textTable } from './text-table.ts';
 import { turnLines } from './turn-text.ts';
 
 /** What a table of variables needs to know of how it was asked. */
@@ -16,9 +16,9 @@ export function reportText(report: Report, options: AskedFor, names?: RegionName
     regions,
     seconds,
   } = report;
-  const removed = numberText((100 * (before - after)) / before);
+  const removed = removedText(before, after);
   return [
-    `${grouped(before)} -> ${counted(after, 'triangle')} (${removed} % removed) in ${seconds.toFixed(2)} s`,
+    `${grouped(before)} -> ${counted(after, 'triangle')} (${removed} removed) in ${seconds.toFixed(2)} s`,
     textTable([['variable', 'bound', '', 'error', 'error/bound'], ...variableRows(report, options)]),
     ...focusLines(options),
     ...turnLines(report),

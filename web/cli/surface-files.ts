@@ -2,7 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { basename, dirname, join } from 'node:path';
 import type { Mesh } from '../../wasm/types.ts';
 import { formatByEnding, formatNames } from '../formats/format-names.ts';
-import { addVariables, readSurface, type SurfaceFile } from '../formats/read.ts';
+import { addVariables, type ReadOptions, readSurface, type SurfaceFile } from '../formats/read.ts';
 import type { Format, Labels, WriteOptions } from '../formats/surface.ts';
 import { lossesOf, writeSurface } from '../formats/write.ts';
 import { Fault, faultOf, UsageFault } from './fault.ts';
@@ -15,9 +15,9 @@ export interface OpenedSurface extends SurfaceFile {
 }
 
 /** Reads a surface, and more of its variables from the CSV file `csvPath`. Throws a Fault that names the file. */
-export async function openSurface(path: string, csvPath?: string): Promise<OpenedSurface> {
+export async function openSurface(path: string, csvPath?: string, options: ReadOptions = {}): Promise<OpenedSurface> {
   const beside = (name: string) => named(join(dirname(path), name), () => bytesOf(join(dirname(path), name)));
-  const surface = await named(path, async () => readSurface(basename(path), await bytesOf(path), beside));
+  const surface = await named(path, async () => readSurface(basename(path), await bytesOf(path), beside, options));
   if (csvPath === undefined) return { ...surface, path };
   return { ...(await named(csvPath, async () => addVariables(surface, await bytesOf(csvPath)))), path };
 }

@@ -1,5 +1,6 @@
 import { printable } from '../formats/wording.ts';
-import { roundedUp } from '../session/rounding.ts';
+import { rangeDigits, removedPercent, roundedUp } from '../session/rounding.ts';
+import type { ComponentSpan } from '../surface/value-span.ts';
 
 /** Rows of cells as lines of text: the first column to the left, all others to the right. */
 export function textTable(table: string[][]): string {
@@ -16,10 +17,30 @@ const digits = 4;
 /** From here on a number is written with a power of ten: its other digits would be zeros that mean nothing. */
 const largestPlain = 1e7;
 
-/** A number for a table: "0.8663", "1.234e-7", "1.415e+18". */
-export function numberText(value: number): string {
-  const rounded = Number(value.toPrecision(digits));
-  return Math.abs(rounded) < largestPlain ? String(rounded) : rounded.toExponential();
+/** A number for a table: "0.8663", "1.234e-7", "1.415e+18"; plain where all of its digits are asked for. */
+export function numberText(value: number, significant = digits): string {
+  const rounded = Number(value.toPrecision(significant));
+  return Math.abs(rounded) < Math.max(largestPlain, 10 ** significant) ? String(rounded) : rounded.toExponential();
+}
+
+/** The two ends of a range, with as many digits as tell one from the other. */
+export function rangeTexts([lowest, highest]: readonly number[]): [string, string] {
+  const significant = rangeDigits(lowest, highest, digits);
+  return [numberText(lowest, significant), numberText(highest, significant)];
+}
+
+/** A place in a box of such spans, an axis each, with as many digits as tell their ends apart. */
+export function placeText(place: readonly number[], spans: readonly ComponentSpan[]): string {
+  const texts = place.map((part, axis) => {
+    const { lowest, highest } = spans[axis];
+    return numberText(part, rangeDigits(lowest, highest, digits));
+  });
+  return `(${texts.join(', ')})`;
+}
+
+/** What share of the triangles is gone: "92.71 %"; 100 only where all are. */
+export function removedText(before: number, after: number): string {
+  return `${removedPercent(before, after, digits)} %`;
 }
 
 /** The same rounded up: what is guaranteed must not be written smaller than it is. */

@@ -1,6 +1,7 @@
 import type { Deviation, Verdict } from '../../wasm/judge-module.ts';
 import { grouped, printable } from '../formats/wording.ts';
-import { numberText, roundedUpText, textTable } from './text-table.ts';
+import type { ComponentSpan } from '../surface/value-span.ts';
+import { placeText, roundedUpText, textTable } from './text-table.ts';
 
 /** The farthest sample that was found in one direction. */
 interface Finding {
@@ -48,19 +49,20 @@ export function findingsOf(
 
 const heading = ['', 'samples', 'error/bound', 'variable', 'worst at'];
 
-function row(title: string, { ratio, variable, position, samples }: Finding): string[] {
+function row(title: string, { ratio, variable, position, samples }: Finding, box: readonly ComponentSpan[]): string[] {
   if (samples === 0) return [title, '0', Number.isFinite(ratio) ? '0' : 'nothing near', '', ''];
-  const place = `(${position.map(numberText).join(', ')})`;
+  const place = placeText(position, box);
   return [title, grouped(samples), ratio.toFixed(6), ...(ratio > 0 ? [variable, place] : ['', ''])];
 }
 
-export function verdictText({ bounds, focus, surface, boundary }: Findings): string {
+/** For people; `box` is what the positions of the original span, so that the places can be told apart. */
+export function verdictText({ bounds, focus, surface, boundary }: Findings, box: readonly ComponentSpan[]): string {
   const limits = bounds.map(({ name, bound }) => `${printable(name)} ${roundedUpText(bound)}`).join(', ');
   const rows = [
-    row('original to reduced', surface.fromOriginal),
-    row('reduced to original', surface.fromReduced),
-    row('boundary, original to reduced', boundary.fromOriginal),
-    row('boundary, reduced to original', boundary.fromReduced),
+    row('original to reduced', surface.fromOriginal, box),
+    row('reduced to original', surface.fromReduced, box),
+    row('boundary, original to reduced', boundary.fromOriginal, box),
+    row('boundary, reduced to original', boundary.fromReduced, box),
   ];
   const multiplied = focus === null ? '' : `, each multiplied by ${printable(focus)}`;
   return `Bounds: ${limits}${multiplied}\n${textTable([heading, ...rows])}`;

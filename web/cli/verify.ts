@@ -1,6 +1,7 @@
 import { MeshboundError } from '../../wasm/errors.ts';
 import { judgeAccuracy, loadJudge, type Verdict } from '../../wasm/judge-module.ts';
 import type { Mesh } from '../../wasm/types.ts';
+import { spanOf } from '../surface/value-span.ts';
 import { parseArguments } from './arguments.ts';
 import { parseBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
@@ -12,6 +13,7 @@ import { sayNotes } from './notes.ts';
 import { freeNotes } from './report.ts';
 import { openSurface } from './surface-files.ts';
 import { findingsOf, verdictText } from './verdict.ts';
+import { parseWeld, weldHelp } from './weld-argument.ts';
 
 const help = `Checks by an independent judge whether a reduced surface keeps the bounds.
 
@@ -21,12 +23,13 @@ The judge knows nothing of how the surface was reduced, and shares no code with 
 the space of position and variables together, looks from many points of each for the nearest point of the other, and does
 the same with their boundaries. Distances are given in bounds: 1 is the limit.
 
-Bounds are written as for "meshbound reduce"; percentages are of the extents in ORIGINAL.
+Bounds are written as for “meshbound reduce”; percentages are of the extents in ORIGINAL.
 
 Options:
   -b, --bound NAME=BOUND  as often as needed
   --variables FILE.csv    more variables of ORIGINAL: names in the first line, then a line for each point
-  --focus NAME            a variable of ORIGINAL that multiplies every bound, as for "meshbound reduce"
+  ${weldHelp}
+  --focus NAME            a variable of ORIGINAL that multiplies every bound, as for “meshbound reduce”
   --samples N             how many points of each surface are looked at, more or less (default 50000);
                           never fewer than its vertices, edges and triangles
   --json                  the same for programs
@@ -42,6 +45,7 @@ const signature = {
   options: {
     bound: { type: 'string', short: 'b', multiple: true, default: [] as string[] },
     variables: { type: 'string' },
+    weld: { type: 'string' },
     focus: { type: 'string', multiple: true, default: [] as string[] },
     samples: { type: 'string', default: '50000' },
     json: { type: 'boolean', default: false },
@@ -77,8 +81,9 @@ async function run(args: string[]): Promise<number> {
   const { values, positionals } = parseArguments(args, signature);
   const bounds = parseBounds(values.bound);
   const samples = parseSamples(values.samples);
+  const weld = parseWeld(values.weld);
   const focus = parseFocus(values.focus);
-  const original = await openSurface(positionals[0], values.variables);
+  const original = await openSurface(positionals[0], values.variables, { weld });
   const reduced = await openSurface(positionals[1]);
   const { names, limits, one, other } = comparable(original, reduced, bounds);
   const multipliers = focus === undefined ? [] : multipliersOf(original, focus);
@@ -91,7 +96,8 @@ async function run(args: string[]): Promise<number> {
   } else if (!values.quiet) {
     for (const { path, notes } of [original, reduced]) sayNotes(path, notes);
     sayNotes(original.path, freeNotes(unnamed(bounds, original.mesh)));
-    console.log(verdictText(findings));
+    const position = { name: 'position', components: 3, values: original.mesh.position };
+    console.log(verdictText(findings, spanOf(position).components));
     console.log(within ? 'The bounds hold at every sample.' : 'A bound is broken.');
   }
   return within ? exitStatus.done : exitStatus.boundBroken;

@@ -12,6 +12,7 @@ import {
 } from '../colour/field.ts';
 import type { Labels } from '../formats/surface.ts';
 import type { OpenSurface } from '../session/open-surface.ts';
+import { rangeDigits } from '../session/rounding.ts';
 import { english } from '../words/english.ts';
 import { valueText } from './number-text.ts';
 import type { Quantity, ViewSettings } from './view-settings.ts';
@@ -57,11 +58,19 @@ export function valueColouring(mesh: Mesh, { mesh: original, labels }: OpenSurfa
       map: settings.colormap,
       range,
       beyond: { below: whole.lowest < range.lowest, above: whole.highest > range.highest },
-      ends: [english.legend.lowest(valueText(whole.lowest, 4)), english.legend.highest(valueText(whole.highest, 4))],
+      ends: [
+        english.legend.lowest(endText(whole.lowest, whole)),
+        english.legend.highest(endText(whole.highest, whole)),
+      ],
       bounded: false,
       free: false,
     },
   };
+}
+
+/** An end of the range of all values, with as many digits as tell it from the other one. */
+function endText(value: number, { lowest, highest }: ColourRange): string {
+  return valueText(value, rangeDigits(lowest, highest, 4));
 }
 
 /** What the ends of the map stand for: the values' own range, or what was chosen; around zero for maps whose middle that is. */

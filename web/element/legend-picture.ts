@@ -2,7 +2,7 @@ import { colourAt, cssColour } from '../colour/colormaps.ts';
 import { placeIn, roundTicks } from '../colour/colour-range.ts';
 import type { Meaning } from './colouring.ts';
 import { type LegendEnd, legendEnds } from './legend-ends.ts';
-import { valueText } from './number-text.ts';
+import { tickText } from './number-text.ts';
 
 /** Measures of a legend in a picture, in CSS pixels. */
 const [barWidth, barHeight, room] = [232, 10, 10];
@@ -35,7 +35,7 @@ export function drawLegend(
   for (const tick of roundTicks(range, tickCount)) {
     const x = left + room + barWidth * placeIn(range, tick);
     context.fillRect(x, bar + barHeight, 1, 4);
-    context.fillText(valueText(tick, 6), x, numbers + 4);
+    context.fillText(tickText(tick, range), x, numbers + 4);
   }
   drawEnds(context, ends, { left: left + room, baseline: bottom - room + 4, ink });
 }

@@ -4,7 +4,7 @@ import { placeIn, roundTicks } from '../colour/colour-range.ts';
 import type { Meaning } from './colouring.ts';
 import { controlsStyle } from './controls-style.ts';
 import { type LegendEnd, legendEnds } from './legend-ends.ts';
-import { valueText } from './number-text.ts';
+import { tickText } from './number-text.ts';
 
 /** About how many numbers stand under the bar, its ends not counted. */
 const tickCount = 4;
@@ -104,7 +104,7 @@ export class Legend extends LitElement {
       ${detail ? html`<div class="detail soft">${detail}</div>` : nothing}
       <div class="bar" part="bar" .style=${`background:${cssGradient(map, 'to right')}`}></div>
       <div class="ticks" part="ticks">
-        ${ticks.map((tick) => html`<span .style=${`left:${100 * placeIn(range, tick)}%`}>${valueText(tick, 6)}</span>`)}
+        ${ticks.map((tick) => html`<span .style=${`left:${100 * placeIn(range, tick)}%`}>${tickText(tick, range)}</span>`)}
       </div>
       ${this.#below(this.meaning)}
     `;

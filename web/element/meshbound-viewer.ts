@@ -10,6 +10,7 @@ import { Probing } from '../session/probing.ts';
 import { readInWorker } from '../session/read.ts';
 import { Session } from '../session/session.ts';
 import { answerOf, type Reduced, type SessionState } from '../session/session-state.ts';
+import { readOptionsFrom } from './read-options.ts';
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
 import { download, type SavedKind, savedFile } from './download.ts';
@@ -110,7 +111,13 @@ export class MeshboundViewer extends ViewerProperties {
   declare drawnOnce: boolean;
 
   /** What is open, asked for and reached; for the page that is built around the element. @internal */
-  readonly session = new Session({ inspect, reduce, reduceOnward, read: readInWorker, fetchBytes });
+  readonly session = new Session({
+    inspect,
+    reduce,
+    reduceOnward,
+    read: (name, bytes, watchers, beside) => readInWorker(name, bytes, watchers, beside, readOptionsFrom(this.weld)),
+    fetchBytes,
+  });
   /** Levels of detail of what the session reached. @internal */
   readonly levels = new LevelSession(this.session, reduceLevels);
   #probing = new Probing(segment, (error) => this.session.report(error));

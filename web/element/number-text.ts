@@ -1,4 +1,4 @@
-import { roundedDown, roundedUp } from '../session/rounding.ts';
+import { rangeDigits, removedPercent, roundedDown, roundedUp } from '../session/rounding.ts';
 
 /** Groups digits as the field does: 99 980, with a space that does not break. */
 const groupSpace = '\u202f';
@@ -20,10 +20,16 @@ export function valueText(value: number, digits = 3): string {
   if (value === 0) return '0';
   if (!Number.isFinite(value)) return Number.isNaN(value) ? '–' : value > 0 ? '∞' : `${minus}∞`;
   const size = Math.abs(value);
-  const plain = size < largestPlain && size >= smallestPlain;
+  // Where all digits before the point are asked for, a power of ten would hide which they are.
+  const plain = size < Math.max(largestPlain, 10 ** digits) && size >= smallestPlain;
   const notation = plain ? 'standard' : 'scientific';
   const format = new Intl.NumberFormat('en', { notation, maximumSignificantDigits: digits, useGrouping: 'min2' });
   return format.format(value).replaceAll(',', groupSpace).replace('E', 'e').replaceAll('-', minus);
+}
+
+/** A number under a colour map that spans a range: as many digits as tell its ends apart. */
+export function tickText(value: number, { lowest, highest }: { lowest: number; highest: number }): string {
+  return valueText(value, rangeDigits(lowest, highest, 6));
 }
 
 /** "1.2 Pa", or "1.2" where there is no unit, or the unit is one. */
@@ -39,6 +45,11 @@ export function percentNumber(fraction: number): string {
 /** A fraction as a percentage: "2.97 %". */
 export function percentText(fraction: number): string {
   return `${percentNumber(fraction)}\u00a0%`;
+}
+
+/** What share of the triangles is gone: "99.3 %"; 100 only where all are. */
+export function removedText(before: number, after: number): string {
+  return `${removedPercent(before, after, 3)}\u00a0%`;
 }
 
 /** Significant digits of bounds and errors. */

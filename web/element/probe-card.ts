@@ -2,11 +2,12 @@ import { css, html, LitElement, nothing } from 'lit';
 import type { Labels } from '../formats/surface.ts';
 import type { ProbedVariable } from '../probe/probe.ts';
 import { nothingProbed, type ProbeState } from '../session/probing.ts';
+import { tellingDigits } from '../session/rounding.ts';
 import { english } from '../words/english.ts';
 import { controlsStyle } from './controls-style.ts';
 import { placeErrorText, usedShareText, valueText } from './number-text.ts';
 
-/** Significant digits of values: enough to see a difference within usual bounds. */
+/** Significant digits of values: enough to see a difference within usual bounds, and more where they are far from 0. */
 const valueDigits = 4;
 
 /**
@@ -166,8 +167,8 @@ export class ProbeCard extends LitElement {
     const known = !this.state.pending;
     return html`<tr>
       <th scope="row" title=${name}>${this.#name(name)}${unit && unit !== '1' ? html` <span class="soft">[${unit}]</span>` : nothing}</th>
-      <td>${this.#values(variable.original)}</td>
-      <td>${this.#values(variable.reduced)}</td>
+      <td>${this.#values(variable.original, variable)}</td>
+      <td>${this.#values(variable.reduced, variable)}</td>
       <td>${known && error !== null ? placeErrorText(error, ratio) : this.#unknown}</td>
       <td class="share" .style=${`--share:${known ? Math.min(1, ratio ?? 0) : 0}`}>
         ${free ? english.probe.free : known && ratio !== null ? usedShareText(ratio) : this.#unknown}
@@ -189,9 +190,10 @@ export class ProbeCard extends LitElement {
     return !this.state.probe?.reduced && !this.state.pending;
   }
 
-  #values(values: number[] | null) {
+  #values(values: number[] | null, { bound, error }: ProbedVariable) {
     if (!values) return this.#unknown;
-    return values.map((value) => html`<span>${valueText(value, valueDigits)}</span>`);
+    const step = Number.isFinite(bound) ? bound : (error ?? 0);
+    return values.map((value) => html`<span>${valueText(value, tellingDigits(value, step, valueDigits))}</span>`);
   }
 
   get #unknown(): string {

@@ -3,7 +3,7 @@ import type { Report } from '../../wasm/types.ts';
 import type { Opening } from '../session/session-state.ts';
 import { english } from '../words/english.ts';
 import { controlsStyle } from './controls-style.ts';
-import { percentText, secondsText } from './number-text.ts';
+import { removedText, secondsText } from './number-text.ts';
 import { openingText } from './progress.ts';
 import { isProvisional, promiseSentence } from './promise-words.ts';
 
@@ -196,8 +196,8 @@ export class ResultBar extends LitElement {
     }
     if (!this.report) return nothing;
     const { triangles, seconds } = this.report;
-    const removed = 1 - triangles.after / triangles.before;
-    return html`<span>${english.progress.removed(percentText(removed), secondsText(seconds))}</span>`;
+    const removed = removedText(triangles.before, triangles.after);
+    return html`<span>${english.progress.removed(removed, secondsText(seconds))}</span>`;
   }
 
   #cancelButton() {

@@ -12,6 +12,7 @@ export class ViewerProperties extends LitElement implements WantedView, WantedKe
   static override properties: PropertyDeclarations = {
     // Setting the same address again loads it again.
     src: { hasChanged: () => true },
+    weld: {},
     errors: {},
     cost: {},
     refusePiercing: { attribute: 'refuse-piercing', type: Boolean },
@@ -43,6 +44,11 @@ export class ViewerProperties extends LitElement implements WantedView, WantedKe
 
   /** The address of a surface: PLY, VTP, legacy VTK, glTF, OBJ or STL, packed by gzip or not. */
   declare src: string | null;
+  /**
+   * Closes cracks as a surface is read: points where sheets end that lie within this fraction of the extent of others, as `1e-6`, are
+   * put into one place. Of the surfaces that are opened from then on.
+   */
+  declare weld: string | null;
   /** How errors are accounted for: `tracked` (default) or `propagated`, as in the paper. */
   declare errors: Method['errors'] | null;
   /** What retriangulation makes small where errors are propagated: the error `introduced` (default), or the `maximum`. */
@@ -138,6 +144,7 @@ export class ViewerProperties extends LitElement implements WantedView, WantedKe
   constructor() {
     super();
     this.src = null;
+    this.weld = null;
     this.errors = null;
     this.cost = null;
     this.refusePiercing = false;

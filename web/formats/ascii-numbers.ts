@@ -20,6 +20,10 @@ export function parseNumber(token: string): number | undefined {
   return match[1] === '-' ? -Infinity : Infinity;
 }
 
+function isBreak(byte: number): boolean {
+  return byte === 10 || byte === 13;
+}
+
 function isSpace(byte: number): boolean {
   return byte === 32 || (byte >= 9 && byte <= 13);
 }
@@ -32,11 +36,18 @@ export class AsciiNumbers {
   private readonly bytes: Uint8Array;
   private at: number;
   private readonly place: () => string;
+  /** Where the reading ends. */
+  private end: number;
+  private broke = false;
+  private lineOnly = false;
+  /** Whether a line break came before the number that was read last. */
+  afterBreak = false;
 
   constructor(bytes: Uint8Array, at: number, place: () => string) {
     this.bytes = bytes;
     this.at = at;
     this.place = place;
+    this.end = bytes.length;
   }
 
   /** Bytes not read yet. */
@@ -44,26 +55,59 @@ export class AsciiNumbers {
     return this.bytes.length - this.at;
   }
 
+  /** The line of the file in which the reading is, counted from 1, whatever ends lines. */
+  get line(): number {
+    const { bytes, at } = this;
+    let line = 1;
+    for (let i = 0; i < at; i++) if (isBreak(bytes[i]) && !(bytes[i] === 10 && bytes[i - 1] === 13)) line++;
+    return line;
+  }
+
+  /** Goes to the next line that is not empty; until it is left for another one, the reading ends where it ends. */
+  enterLine(): void {
+    this.leaveLine();
+    const { bytes } = this;
+    if (this.atEnd()) return;
+    let end = this.at;
+    while (end < bytes.length && !isBreak(bytes[end])) end++;
+    this.end = end;
+    this.lineOnly = true;
+  }
+
+  /** Whether the reading ends with a line. */
+  get inLine(): boolean {
+    return this.lineOnly;
+  }
+
+  /** Passes over what is left of the line; the reading ends with the file again. */
+  leaveLine(): void {
+    if (this.lineOnly) this.at = this.end;
+    this.end = this.bytes.length;
+    this.lineOnly = false;
+  }
+
   /** True when nothing but white space is left. */
   atEnd(): boolean {
-    const { bytes } = this;
-    while (this.at < bytes.length && isSpace(bytes[this.at])) this.at++;
-    return this.at === bytes.length;
+    const { bytes, end } = this;
+    for (; this.at < end && isSpace(bytes[this.at]); this.at++) if (isBreak(bytes[this.at])) this.broke = true;
+    return this.at === end;
   }
 
   next(): number {
     if (this.atEnd()) throw new FormatError('truncated', `The file ends in ${this.place()}.`, this.place());
+    this.afterBreak = this.broke;
+    this.broke = false;
     return this.shortDecimal() ?? this.anyNumber();
   }
 
   /** Digits with at most one point among them, few enough to be exact; undefined (and nothing read) for other tokens. */
   private shortDecimal(): number | undefined {
-    const { bytes } = this;
+    const { bytes, end } = this;
     let at = this.at;
     const negative = bytes[at] === 45;
     if (negative) at++;
     let [mantissa, digits, decimals, point] = [0, 0, 0, 0];
-    for (; at < bytes.length; at++) {
+    for (; at < end; at++) {
       const byte = bytes[at];
       if (byte >= 48 && byte <= 57) {
         mantissa = mantissa * 10 + (byte - 48);
@@ -73,7 +117,7 @@ export class AsciiNumbers {
         point = 1;
       } else break;
     }
-    const whole = at === bytes.length || isSpace(bytes[at]);
+    const whole = at === end || isSpace(bytes[at]);
     if (!whole || digits === 0 || digits > exactDigits) return undefined;
     this.at = at;
     const size = mantissa / powersOfTen[decimals];
@@ -82,7 +126,7 @@ export class AsciiNumbers {
 
   private anyNumber(): number {
     const start = this.at;
-    while (this.at < this.bytes.length && !isSpace(this.bytes[this.at])) this.at++;
+    while (this.at < this.end && !isSpace(this.bytes[this.at])) this.at++;
     const token = new TextDecoder().decode(this.bytes.subarray(start, Math.min(this.at, start + longestToken)));
     const value = this.at - start < longestToken ? parseNumber(token) : undefined;
     if (value !== undefined) return value;

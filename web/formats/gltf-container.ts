@@ -1,8 +1,9 @@
 import { FormatError } from './format-error.ts';
+import { refuseCompression } from './gltf-compression.ts';
 import type { GltfJson } from './gltf-json.ts';
 import { checkShape } from './gltf-shape.ts';
 import { utf8Text } from './utf8-text.ts';
-import { grouped, listed } from './wording.ts';
+import { foreign, grouped } from './wording.ts';
 
 export interface GltfFile {
   json: GltfJson;
@@ -19,25 +20,15 @@ const binaryChunk = 0x004e4942;
 export function openGltf(bytes: Uint8Array): GltfFile {
   const isBinary = new TextDecoder('latin1').decode(bytes.subarray(0, 4)) === 'glTF';
   const file = isBinary ? openGlb(bytes) : { json: parseJson(bytes), binary: undefined };
+  refuseCompression(file.json);
   checkVersion(file.json);
   checkShape(file.json);
-  checkCompression(file.json);
   return file;
 }
 
 function checkVersion(json: GltfJson | null): void {
   if (typeof json?.asset?.version === 'string' && json.asset.version.startsWith('2.')) return;
   throw new FormatError('unsupported_feature', 'This is no glTF of version 2.');
-}
-
-/** Extensions that change how points are stored, or the JSON that names them. Those of materials and lights do not matter here. */
-const compressing = /draco|meshopt_compression|_compression/i;
-
-function checkCompression({ extensionsRequired = [] }: GltfJson): void {
-  const packed = extensionsRequired.filter((name) => compressing.test(name));
-  if (packed.length === 0) return;
-  const message = `The file is compressed by ${listed(packed)}, which is not read. Save it uncompressed.`;
-  throw new FormatError('unsupported_feature', message);
 }
 
 function openGlb(bytes: Uint8Array): GltfFile {
@@ -71,7 +62,7 @@ function parseJson(bytes: Uint8Array): GltfJson {
     const cut = !text.trimEnd().endsWith('}');
     throw new FormatError(
       cut ? 'truncated' : 'bad_header',
-      `The JSON of the glTF file is broken: ${(error as Error).message}.`,
+      `The JSON of the glTF file is broken: ${foreign((error as Error).message)}.`,
     );
   }
 }

@@ -1,7 +1,7 @@
 import { expansionLimit } from './expansion-limit.ts';
 import { FormatError } from './format-error.ts';
 import { joined } from './joined-arrays.ts';
-import { counted, grouped } from './wording.ts';
+import { counted, foreign, grouped } from './wording.ts';
 
 export function isGzip(bytes: Uint8Array): boolean {
   return bytes[0] === 0x1f && bytes[1] === 0x8b;
@@ -83,6 +83,6 @@ async function readPiece(reader: ReadableStreamDefaultReader<Uint8Array>): Promi
   try {
     return (await reader.read()).value;
   } catch (error) {
-    throw new FormatError('corrupt', `The gzip file is damaged or cut short (${(error as Error).message}).`);
+    throw new FormatError('corrupt', `The gzip file is damaged or cut short (${foreign((error as Error).message)}).`);
   }
 }

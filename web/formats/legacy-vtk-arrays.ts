@@ -104,7 +104,8 @@ function readArray(shape: ArrayShape, text: LegacyVtkText, attributes: Attribute
       integers: !isFloat(numberType),
     });
   }
-  readMetadata(text, array, isPoints ? labels : noLabels());
+  const isFirst = !attributes.arrays.some((other) => other.name === name);
+  readMetadata(text, array, isPoints && isFirst ? labels : noLabels());
   const whole = components > 0 && array.values.length === components * tuples;
   const isLabel = attributes.noun === 'cell data' && components === 1;
   if (whole && (isPoints || isLabel)) attributes.arrays.push(array);

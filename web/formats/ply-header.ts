@@ -79,17 +79,23 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
   return { ...header, encoding };
 }
 
-/** Lines may end in \n, \r\n or \r; the first line says which, since binary data may begin with any of these bytes. */
+const lineBreak = /\r\n|\n|\r/;
+
+/**
+ * Lines may end in \n, \r\n or \r, each in its own way. Only where all before the last one end in \r is a \n behind that
+ * one not part of it: binary data may begin with any of these bytes.
+ */
 function headerLines(bytes: Uint8Array): { lines: string[]; isUtf8: boolean; end: number } {
   const oneByteACharacter = new TextDecoder('latin1').decode(bytes.subarray(0, longestHeader));
-  const lineEnd = /^ply[ \t]*(\r\n|\n|\r)/.exec(oneByteACharacter)?.[1];
-  const last = lineEnd !== undefined && new RegExp(`${lineEnd}end_header[ \\t]*${lineEnd}`).exec(oneByteACharacter);
+  const last = /[\r\n]end_header[ \t]*(?:\r\n|\n|\r)/.exec(oneByteACharacter);
   if (!last) {
     const message = 'The PLY header does not end: there is no line “end_header”.';
     throw new FormatError(bytes.length > longestHeader ? 'bad_header' : 'truncated', message, 'header');
   }
   const { text, isUtf8 } = looseText(bytes.subarray(0, last.index));
-  return { lines: text.split(lineEnd), isUtf8, end: last.index + last[0].length };
+  const onlyReturns = !oneByteACharacter.slice(0, last.index + 1).includes('\n');
+  const end = last.index + last[0].length - (onlyReturns && last[0].endsWith('\r\n') ? 1 : 0);
+  return { lines: text.split(lineBreak), isUtf8, end };
 }
 
 function badHeader(sentence: string, where: string): FormatError {

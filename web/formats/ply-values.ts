@@ -1,10 +1,19 @@
 import { AsciiNumbers } from './ascii-numbers.ts';
 import { FormatError } from './format-error.ts';
 import { type PlyElement, type PlyHeader, type PlyProperty, type PlyType, plyTypeSizes } from './ply-header.ts';
-import { counted, grouped, quoted } from './wording.ts';
+import { capitalised, counted, grouped, quoted } from './wording.ts';
 
 /** The fewest bytes a number takes in ASCII: a digit and a space. */
 const asciiNumberSize = 2;
+
+/** How the rows of an ASCII file lie in its lines, where that is not as it should be. */
+export interface RowFaults {
+  /** Which row first began in the middle of which line, and where that is. */
+  firstInside?: { row: string; line: number };
+  /** How many lines have more numbers than their rows, and which is the first. */
+  longLines: number;
+  firstLong?: number;
+}
 
 /** The numbers after a PLY header, one after the other, whatever the encoding. Every reading stays inside the file. */
 export abstract class PlyValues {
@@ -13,6 +22,8 @@ export abstract class PlyValues {
 
   /** Bytes not read yet. */
   abstract readonly left: number;
+  /** What was odd about the rows read so far. */
+  readonly faults: RowFaults = { longLines: 0 };
   abstract next(type: PlyType): number;
   protected abstract leastSize(type: PlyType): number;
 
@@ -36,6 +47,9 @@ export abstract class PlyValues {
   startRow(row: number): void {
     this.row = row;
   }
+
+  /** To be called after the last row. */
+  finish(): void {}
 
   /** The length of a list, checked against the file; its items are to be read next. */
   nextLength(property: PlyProperty): number {
@@ -63,13 +77,23 @@ export abstract class PlyValues {
   }
 }
 
-export function plyValues(bytes: Uint8Array, header: PlyHeader): PlyValues {
-  if (header.encoding === 'ascii') return new AsciiValues(bytes, header.end);
+/**
+ * In ASCII the rows follow each other wherever lines break, as long as none begins inside a line and ends in another one; `byLine` each of them has a line
+ * of its own, and what else stands in that is passed over.
+ */
+export function plyValues(bytes: Uint8Array, header: PlyHeader, byLine = false): PlyValues {
+  if (header.encoding === 'ascii') {
+    return byLine ? new LineValues(bytes, header.end) : new AsciiValues(bytes, header.end);
+  }
   return new BinaryValues(bytes, header.end, header.encoding === 'binary_little_endian');
 }
 
 class AsciiValues extends PlyValues {
-  private readonly numbers: AsciiNumbers;
+  protected readonly numbers: AsciiNumbers;
+  /** Whether the row has no number yet, and whether it began where another one ended. */
+  private rowBegins = true;
+  private inside = false;
+  private first = true;
 
   constructor(bytes: Uint8Array, start: number) {
     super();
@@ -80,12 +104,60 @@ class AsciiValues extends PlyValues {
     return this.numbers.atEnd() ? 0 : this.numbers.left;
   }
 
+  override startRow(row: number): void {
+    super.startRow(row);
+    this.rowBegins = true;
+  }
+
   next(_type: PlyType): number {
-    return this.numbers.next();
+    const value = this.numbers.next();
+    if (this.rowBegins) this.beginRow(this.numbers.afterBreak);
+    else if (this.inside && this.numbers.afterBreak) throw brokenRow(this.faults);
+    return value;
+  }
+
+  private beginRow(onNewLine: boolean): void {
+    this.inside = !onNewLine && !this.first;
+    this.rowBegins = this.first = false;
+    if (this.inside) this.faults.firstInside ??= { row: this.place(), line: this.numbers.line };
   }
 
   protected leastSize(_type: PlyType): number {
     return asciiNumberSize;
+  }
+}
+
+/** The error for rows that have not as many numbers as the header declares. */
+export function brokenRow({ firstInside = { row: 'a row', line: 0 } }: RowFaults): FormatError {
+  const { row, line } = firstInside;
+  const where = `line ${grouped(line)}`;
+  const begins = `${capitalised(row)} begins in the middle of ${where}`;
+  const advice = 'the rows before it may have more or fewer numbers than the header declares';
+  return new FormatError('count_mismatch', `${begins}: ${advice}.`, where);
+}
+
+class LineValues extends AsciiValues {
+  override begin(element: PlyElement): void {
+    this.leaveLine();
+    super.begin(element);
+  }
+
+  override startRow(row: number): void {
+    super.startRow(row);
+    this.leaveLine();
+    this.numbers.enterLine();
+  }
+
+  override finish(): void {
+    this.leaveLine();
+  }
+
+  private leaveLine(): void {
+    if (this.numbers.inLine && !this.numbers.atEnd()) {
+      this.faults.longLines++;
+      this.faults.firstLong ??= this.numbers.line;
+    }
+    this.numbers.leaveLine();
   }
 }
 

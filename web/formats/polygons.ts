@@ -19,40 +19,77 @@ const mostConcaveCorners = 2_000;
 const mostConcaveWork = 100_000_000;
 const smallPolygon = 64;
 
+/** The fewest corners that make a surface. */
+const fewestCorners = 3;
+
 /**
  * Triangles in place of polygons, in their order and orientation; `split` counts the polygons that had more than three
- * corners. `noun` names a polygon in messages ("face"). Throws on fewer than three corners and on points that do not exist.
+ * corners, `short` those that had fewer, which are no surface and left out. `noun` names a polygon in messages ("face").
+ * Throws on points that do not exist.
  */
 export function triangulate(polygons: Polygons, position: Position, noun: string) {
   const { corners, ends } = polygons;
   checkCorners(polygons, position.length / 3, noun);
-  let total = 0;
-  let split = 0;
-  forEachPolygon(ends, (start, end, index) => {
-    if (end - start < 3) throw fewCorners(end - start, index, noun);
-    total += end - start - 2;
-    if (end - start > 3) split++;
+  let [total, split, short] = [0, 0, 0];
+  forEachPolygon(ends, (start, end) => {
+    if (end - start < fewestCorners) short++;
+    else total += end - start - 2;
+    if (end - start > fewestCorners) split++;
   });
-  if (split === 0) return { triangles: corners, split };
+  if (split + short === 0) return { triangles: corners, split, short };
   const triangles = new Uint32Array(3 * total);
   const budget = { work: mostConcaveWork };
   let at = 0;
   forEachPolygon(ends, (start, end, index) => {
+    if (end - start < fewestCorners) return;
     const polygon = corners.subarray(start, end);
-    triangles.set(polygon.length === 3 ? polygon : splitPolygon(polygon, position, budget, `${noun} ${index}`), at);
+    triangles.set(
+      polygon.length === fewestCorners ? polygon : splitPolygon(polygon, position, budget, `${noun} ${index}`),
+      at,
+    );
     at += 3 * (polygon.length - 2);
   });
-  return { triangles, split };
+  return { triangles, split, short };
 }
 
-/** Triangles in place of triangle strips; every other triangle of a strip is turned, so that all face the same way. */
+/** What is to be said of polygons that triangulate changed or left out; `noun` is one of them ("face"). */
+export function polygonNotes(noun: string, split: number, short: number): string[] {
+  const notes: string[] = [];
+  if (split > 0) notes.push(`${counted(split, noun)} with more than three corners split into triangles.`);
+  if (short > 0) notes.push(`${counted(short, noun)} with fewer than three corners left out.`);
+  return notes;
+}
+
+/** How many triangles triangulate makes of a polygon. */
+export function trianglesIn(corners: number): number {
+  return Math.max(0, corners - 2);
+}
+
+/** The same polygons, but those that are gone have no corners; so all others keep their numbers. */
+export function emptied({ corners, ends }: Polygons, isGone: (index: number) => boolean): Polygons {
+  const kept = new Uint32Array(corners.length);
+  const newEnds = new Uint32Array(ends.length);
+  let length = 0;
+  forEachPolygon(ends, (start, end, index) => {
+    if (!isGone(index)) {
+      kept.set(corners.subarray(start, end), length);
+      length += end - start;
+    }
+    newEnds[index] = length;
+  });
+  return { corners: kept.slice(0, length), ends: newEnds };
+}
+
+/**
+ * Triangles in place of triangle strips; every other triangle of a strip is turned, so that all face the same way. A strip of
+ * fewer than three corners is none.
+ */
 export function trianglesOfStrips(strips: Polygons, position: Position, noun: string): Uint32Array {
   const { corners, ends } = strips;
   checkCorners(strips, position.length / 3, noun);
   const triangles = new Uint32Array(3 * corners.length);
   let at = 0;
-  forEachPolygon(ends, (start, end, index) => {
-    if (end - start < 3) throw fewCorners(end - start, index, noun);
+  forEachPolygon(ends, (start, end) => {
     for (let i = start; i + 2 < end; i++) {
       const turned = (i - start) % 2;
       triangles[at++] = corners[i];
@@ -71,21 +108,13 @@ function forEachPolygon(ends: Uint32Array, visit: (start: number, end: number, i
   }
 }
 
-function fewCorners(corners: number, index: number, noun: string): FormatError {
-  const where = `${noun} ${index}`;
-  return new FormatError(
-    'bad_polygon',
-    `${capitalised(where)} has ${counted(corners, 'corner')}; it needs three.`,
-    where,
-  );
-}
-
-/** Throws if a corner names a point that does not exist. */
+/** Throws if a corner of what is a surface names a point that does not exist. */
 export function checkCorners({ corners, ends }: Polygons, points: number, noun: string): void {
-  const wrong = corners.findIndex((corner) => corner >= points);
-  if (wrong < 0) return;
-  const where = `${noun} ${ends.findIndex((end) => end > wrong)}`;
-  throw badIndex(corners[wrong], where, points);
+  if (!corners.some((corner) => corner >= points)) return;
+  forEachPolygon(ends, (start, end, index) => {
+    const wrong = corners.subarray(start, end).find((corner) => corner >= points);
+    if (wrong !== undefined && end - start >= fewestCorners) throw badIndex(wrong, `${noun} ${index}`, points);
+  });
 }
 
 /** The same for a list of indices that is one thing. */

@@ -14,6 +14,7 @@ import { checkAccessors } from './gltf-accessors.ts';
 import { readBuffers } from './gltf-buffers.ts';
 import { openGltf } from './gltf-container.ts';
 import type { GltfJson } from './gltf-json.ts';
+import { neededOnly } from './gltf-needed.ts';
 import {
   extrasOf,
   type GltfAttribute,
@@ -27,7 +28,7 @@ import { joined } from './joined-arrays.ts';
 import { checkIndices } from './polygons.ts';
 import type { Beside, Surface } from './surface.ts';
 import { weldedSurface } from './welded-surface.ts';
-import { counted, listed } from './wording.ts';
+import { counted, foreign, listed } from './wording.ts';
 
 /** The modes of a primitive that are triangles. */
 const modes = { triangles: 4, strip: 5, fan: 6 };
@@ -57,7 +58,8 @@ interface Part {
  * or whatever the writer of this project noted as its name. glTF knows single precision only.
  */
 export async function readGltf(bytes: Uint8Array, beside?: Beside): Promise<Surface> {
-  const file = openGltf(bytes);
+  const opened = openGltf(bytes);
+  const file = { ...opened, json: neededOnly(opened.json) };
   const buffers = await readBuffers(file, beside);
   const fileSize = bytes.length + [...new Set(buffers)].reduce((sum, { length }) => sum + length, 0);
   checkAccessors(file.json, buffers, fileSize);
@@ -95,7 +97,10 @@ async function readDocument(json: GltfJson, buffers: Uint8Array[]): Promise<Docu
     const plain = geometryOnly(json) as unknown as JSONDocument['json'];
     return await new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).readJSON({ json: plain, resources });
   } catch (error) {
-    throw new FormatError('bad_header', `The JSON of the file does not follow glTF 2.0 (${(error as Error).message}).`);
+    throw new FormatError(
+      'bad_header',
+      `The JSON of the file does not follow glTF 2.0 (${foreign((error as Error).message)}).`,
+    );
   }
 }
 

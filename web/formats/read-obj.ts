@@ -1,14 +1,15 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
+import { parseNumber } from './ascii-numbers.ts';
 import { FormatError } from './format-error.ts';
 import { GrowingIndices, GrowingNumbers, GrowingPolygons } from './growing-arrays.ts';
-import { checkCorners, type Polygons, triangulate } from './polygons.ts';
+import { checkCorners, type Polygons, polygonNotes, triangulate } from './polygons.ts';
 import { regionNotes } from './region-notes.ts';
 import type { Surface } from './surface.ts';
 import { cutNotes, numbersFrom, type TextLine, textLines } from './text-lines.ts';
 import { labelsOfTriangles } from './vtk-pieces.ts';
 import { gather } from './weld.ts';
 import { weldedSurface } from './welded-surface.ts';
-import { counted, quoted } from './wording.ts';
+import { counted, listed, quoted } from './wording.ts';
 
 // Written by hand although three.js has an OBJLoader: that one takes points that do not exist for NaN, makes up normals,
 // converts colours between colour spaces, forgets which corners share a point, and keeps single precision only.
@@ -21,11 +22,19 @@ interface CornerData {
   values: GrowingNumbers;
   /** For each corner of each face, an index into the values. */
   indices: GrowingIndices;
+  /** Which of the values are no numbers in the file. */
+  broken: Set<number>;
 }
 
-const missing = 0xffffffff;
+function cornerData(variable: string, keyword: string, components: number): CornerData {
+  const [values, indices] = [new GrowingNumbers(), new GrowingIndices()];
+  return { variable, keyword, components, values, indices, broken: new Set() };
+}
+
+/** A corner without an index, and one whose index is of nothing. */
+const [missing, broken] = [0xffffffff, 0xfffffffe];
 /** Lines that draw, group or refine without changing the surface. */
-const ignored = new Set(['s', 'mg', 'bevel', 'c_interp', 'd_interp', 'lod', 'shadow_obj', 'trace_obj', 'end', '#']);
+const ignored = new Set(['s', 'mg', 'bevel', 'c_interp', 'd_interp', 'lod', 'shadow_obj', 'trace_obj', 'end']);
 /** Lines whose loss the user should know of. */
 const lossy = new Map([
   ['o', 'object names'],
@@ -37,6 +46,8 @@ const lossy = new Map([
   ['p', 'single points'],
 ]);
 const freeForm = 'vp deg bmat step cstype curv curv2 surf parm trim hole scrv sp con ctech stech call csh'.split(' ');
+/** Lines of numbers, which may go on in the next line behind a backslash and have comments at their ends; others have names. */
+const numeric = new Set(['v', 'vt', 'vn', 'f', 'fo', 'l', 'p', ...freeForm]);
 for (const keyword of freeForm) lossy.set(keyword, 'curves and free-form surfaces');
 
 /** The array of labels that says which faces are of which material. */
@@ -77,12 +88,13 @@ class ObjFile {
   points = new GrowingNumbers();
   colours = new GrowingNumbers();
   faces = new GrowingPolygons();
-  corners: CornerData[] = [
-    { variable: 'uv', keyword: 'vt', components: 2, values: new GrowingNumbers(), indices: new GrowingIndices() },
-    { variable: 'normal', keyword: 'vn', components: 3, values: new GrowingNumbers(), indices: new GrowingIndices() },
-  ];
+  corners: CornerData[] = [cornerData('uv', 'vt', 2), cornerData('normal', 'vn', 3)];
   materials = new Materials();
   lost = new Set<string>();
+  /** How many lines begin with each keyword that is not known. */
+  unknown = new Map<string, number>();
+  /** How many faces have too few corners to be one. */
+  shortFaces = 0;
 
   read(line: TextLine): void {
     const keyword = line.words[0];
@@ -92,37 +104,39 @@ class ObjFile {
     else if (keyword === 'f' || keyword === 'fo') this.readFace(line);
     else if (keyword === 'usemtl') this.materials.use(line.words.slice(1).join(' '));
     else if (lossy.has(keyword)) this.lost.add(lossy.get(keyword) ?? keyword);
-    else if (!ignored.has(keyword) && !keyword.startsWith('#')) {
-      const where = `line ${line.number}`;
-      throw new FormatError('bad_header', `${quoted(keyword)} begins no line of an OBJ file (${where}).`, where);
-    }
+    else if (!ignored.has(keyword)) this.unknown.set(keyword, 1 + (this.unknown.get(keyword) ?? 0));
   }
 
   /** `v x y z`, `v x y z w` with a weight that is 1 but for free forms or, with a colour, `v x y z r g b`. */
   private readPoint(line: TextLine): void {
     for (const coordinate of numbersFrom(line, 1, 3)) this.points.push(coordinate);
-    const more = line.words.length - 4;
-    if (more >= 3) for (const part of numbersFrom(line, 4, 3)) this.colours.push(part);
-    const isCarried = more === 0 || more === 3 || (more === 1 && numbersFrom(line, 4, 1)[0] === 1);
+    const more = line.words.slice(4).map((word) => parseNumber(word) ?? Number.NaN);
+    if (more.length >= 3) for (const part of more.slice(0, 3)) this.colours.push(part);
+    const isCarried = more.length === 0 || more.length === 3 || (more.length === 1 && more[0] === 1);
     if (!isCarried) this.lost.add('numbers of points beyond places and colours');
   }
 
   /** `vn x y z` or `vt u v w`, of which v and w may be missing and are 0 then. */
-  private readCornerData(line: TextLine, { keyword, components, values }: CornerData): void {
-    const isFlat = keyword === 'vt' && line.words.length === 2;
-    for (const number of numbersFrom(line, 1, isFlat ? 1 : components)) values.push(number);
-    if (isFlat) values.push(0);
-    const depth = keyword === 'vt' && line.words.length > 3 ? numbersFrom(line, 3, 1)[0] : 0;
-    if (depth !== 0) this.lost.add('third texture coordinates');
+  private readCornerData({ words }: TextLine, { keyword, components, values, broken }: CornerData): void {
+    const numbers = words.slice(1, 1 + components).map(parseNumber);
+    if (keyword === 'vt' && numbers.length === 1) numbers.push(0);
+    if (numbers.length < components || numbers.includes(undefined)) broken.add(values.length / components);
+    for (let i = 0; i < components; i++) values.push(numbers[i] ?? Number.NaN);
+    if (keyword === 'vt' && words.length > 3 && parseNumber(words[3]) !== 0) this.lost.add('third texture coordinates');
   }
 
   private readFace(line: TextLine): void {
-    for (const word of line.words.slice(1)) {
+    const words = line.words.slice(1);
+    if (words.length < 3) {
+      this.shortFaces++;
+      return;
+    }
+    for (const word of words) {
       const indices = word.split('/');
       this.faces.addCorner(resolve(indices[0], this.points.length / 3, line));
       for (const [place, { values, components, indices: list }] of this.corners.entries()) {
         const index = indices[place + 1];
-        list.push(index ? resolve(index, values.length / components, line) : missing);
+        list.push(index ? (indexOf(index, values.length / components) ?? broken) : missing);
       }
     }
     this.faces.endPolygon();
@@ -130,11 +144,20 @@ class ObjFile {
   }
 }
 
-/** Indices count from 1, or backwards from the last with −1. Whether a later line makes them valid is not known yet. */
-function resolve(word: string, count: number, { number }: TextLine): number {
+/**
+ * Indices count from 1, or backwards from the last with −1; undefined for what is none. Whether a later line makes them valid
+ * is not known yet.
+ */
+function indexOf(word: string, count: number): number | undefined {
   const index = /^-?\d{1,10}$/.test(word) ? Number(word) : 0;
   const resolved = index > 0 ? index - 1 : count + index;
-  if (index !== 0 && resolved >= 0 && resolved < missing) return resolved;
+  return index !== 0 && resolved >= 0 && resolved < broken ? resolved : undefined;
+}
+
+/** The same for what must be one. */
+function resolve(word: string, count: number, { number }: TextLine): number {
+  const index = indexOf(word, count);
+  if (index !== undefined) return index;
   const where = `line ${number}`;
   throw new FormatError(
     'bad_index',
@@ -155,15 +178,17 @@ export function readObj(bytes: Uint8Array): Surface {
   const polygons = file.faces.toPolygons();
   if (points === 0) throw new FormatError('no_points', 'The file has no points.');
   if (polygons.ends.length === 0) {
-    throw new FormatError('no_triangles', `The file has ${counted(points, 'point')}, but no faces.`);
+    const none = file.shortFaces > 0 ? 'no faces of three corners' : 'no faces';
+    throw new FormatError('no_triangles', `The file has ${counted(points, 'point')}, but ${none}.`);
   }
   checkCorners(polygons, points, 'face');
   const materials = file.materials.names();
   if (materials.size === 1 && !materials.has(0)) file.lost.add('the material');
   const notes = file.lost.size > 0 ? [`Not carried: ${[...file.lost].join(', ')}.`] : [];
+  notes.push(...unknownNotes(file));
   const { position, variables, ends, corners, copies } = spread(file, polygons, notes);
   const { triangles, split } = triangulate({ corners, ends }, position, 'face');
-  if (split > 0) notes.push(`${counted(split, 'face')} with more than three corners split into triangles.`);
+  notes.push(...polygonNotes('face', split, file.shortFaces));
   const surface = weldedSurface({ position, triangles, variables }, notes, copies);
   const labels = materials.size > 1 ? materialLabels(file, polygons, materials) : {};
   return { ...surface, ...labels, notes: [...surface.notes, ...regionNotes(labels.regions), ...cutNotes(bytes)] };
@@ -174,16 +199,49 @@ function materialLabels({ materials }: ObjFile, polygons: Polygons, names: Map<n
   return { regions: new Map([[materialArray, labels]]), regionNames: new Map([[materialArray, names]]) };
 }
 
-/** Lines put together where a backslash says that one goes on. */
+/** What began lines that no OBJ file should have: a sentence, or none. */
+function unknownNotes({ unknown }: ObjFile): string[] {
+  if (unknown.size === 0) return [];
+  const lines = [...unknown.values()].reduce((sum, count) => sum + count, 0);
+  return [`${counted(lines, 'line')} passed over that no OBJ file has, beginning with ${listed([...unknown.keys()])}.`];
+}
+
+/** What may stand in a line that another one goes on in. */
+const continuation = /^[-+.\d\\/#]/;
+
+/** Lines without their comments, put together where a backslash says that one goes on. In names a backslash is a letter. */
 function* wholeLines(bytes: Uint8Array): Generator<TextLine> {
-  const begun: string[][] = [];
+  let begun: { parts: string[][]; last: number } | undefined;
   for (const { words, number } of textLines(bytes)) {
-    const last = words[words.length - 1];
-    const goesOn = last.endsWith('\\');
-    if (goesOn || begun.length > 0) begun.push(goesOn ? words.with(-1, last.slice(0, -1)) : words);
-    if (!goesOn) yield { words: begun.length > 0 ? begun.splice(0).flat().filter(Boolean) : words, number };
+    if (begun && !(number === begun.last + 1 && continuation.test(words[0]))) {
+      yield joined(begun);
+      begun = undefined;
+    }
+    const isNumeric = begun !== undefined || numeric.has(words[0]);
+    const plain = isNumeric ? withoutComment(words) : words[0].startsWith('#') ? [] : words;
+    const goesOn = isNumeric && (plain.at(-1)?.endsWith('\\') ?? false);
+    if (goesOn || begun) {
+      begun = { parts: begun?.parts ?? [], last: number };
+      begun.parts.push(goesOn ? plain.with(-1, (plain.at(-1) ?? '').slice(0, -1)) : plain);
+    } else if (plain.length > 0) yield { words: plain, number };
+    if (begun && !goesOn) {
+      yield joined(begun);
+      begun = undefined;
+    }
   }
-  if (begun.length > 0) throw new FormatError('truncated', 'The file ends in a line that should go on.');
+  if (begun) throw new FormatError('truncated', 'The file ends in a line that should go on.');
+}
+
+function joined({ parts, last }: { parts: string[][]; last: number }): TextLine {
+  return { words: parts.flat().filter(Boolean), number: last };
+}
+
+/** The words of a line of numbers up to a comment. */
+function withoutComment(words: string[]): string[] {
+  const at = words.findIndex((word) => word.includes('#'));
+  if (at < 0) return words;
+  const before = words[at].slice(0, words[at].indexOf('#'));
+  return [...words.slice(0, at), ...(before === '' ? [] : [before])];
 }
 
 /** What becomes of the points of a file before it is welded; `copies` says how many were added. */
@@ -231,15 +289,16 @@ function pointColours({ colours }: ObjFile, points: number, notes: string[]): Va
   return [];
 }
 
-/** Whether every corner has a value; throws if one names a value that does not exist. */
-function isComplete({ keyword, variable, components, values, indices }: CornerData, notes: string[]): boolean {
+/** Whether every corner has a value. */
+function isComplete(data: CornerData, notes: string[]): boolean {
+  const { keyword, variable, components, values, indices } = data;
   const all = indices.toArray();
   const count = values.length / components;
-  const wrong = all.find((index) => index >= count && index !== missing);
-  if (wrong !== undefined) {
-    throw new FormatError('bad_index', `A face names ${keyword} ${wrong + 1}, but the file has only ${count}.`, 'face');
-  }
-  if (!all.includes(missing)) return true;
-  if (all.some((index) => index !== missing)) notes.push(`Not carried: ${variable}, since not every corner has one.`);
+  const without = all.reduce((sum, index) => sum + (index >= count || data.broken.has(index) ? 1 : 0), 0);
+  if (without === 0) return true;
+  const lost = all.reduce((sum, index) => sum + (index === missing ? 0 : 1), 0) - (all.length - without);
+  const why = lost > 0 ? ` (${counted(lost, 'corner')} with a ${keyword} that is not in the file, or no numbers)` : '';
+  if (all.some((index) => index !== missing))
+    notes.push(`Not carried: ${variable}, since not every corner has one${why}.`);
   return false;
 }

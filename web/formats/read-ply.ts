@@ -9,7 +9,7 @@ import {
   type PlyType,
   readPlyHeader,
 } from './ply-header.ts';
-import { type PlyValues, plyValues } from './ply-values.ts';
+import { brokenRow, type PlyValues, plyValues } from './ply-values.ts';
 import {
   declaredComponentNames,
   declaredRegions,
@@ -17,14 +17,14 @@ import {
   groupProperties,
   type PlyVariable,
 } from './ply-variables.ts';
-import { noPolygons, type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
+import { noPolygons, type Polygons, polygonNotes, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
 import { regionNotes } from './region-notes.ts';
 import { type CellLabels, type Labels, noLabels, type Surface } from './surface.ts';
 import { cutNotes } from './text-lines.ts';
 import { undecoded } from './utf8-text.ts';
 import { labelsOfTriangles, misfitAmong } from './vtk-pieces.ts';
-import { capitalised, counted, listed, quoted } from './wording.ts';
+import { capitalised, counted, grouped, listed, quoted } from './wording.ts';
 
 // Written by hand although three.js has a PLYLoader. That one converts colours between colour spaces, rounding them; has
 // no way to tell a truncated ASCII file from a whole one; drops faces of more than four corners; takes ∞ for NaN and any
@@ -46,7 +46,38 @@ interface Vertices {
  */
 export function readPly(bytes: Uint8Array): Surface {
   const header = readPlyHeader(bytes);
+  if (header.encoding !== 'ascii') return readBody(bytes, header, plyValues(bytes, header));
   const values = plyValues(bytes, header);
+  try {
+    const surface = readBody(bytes, header, values);
+    if (values.left > 0 && values.faults.firstInside) throw brokenRow(values.faults);
+    return surface;
+  } catch (error) {
+    if (!(error instanceof FormatError)) throw error;
+    const surface = readLines(bytes, header);
+    if (!surface) throw withRowHint(error, values);
+    return surface;
+  }
+}
+
+/** The surface of an ASCII file whose rows have a line each, with whatever more numbers; undefined where that does not fit. */
+function readLines(bytes: Uint8Array, header: PlyHeader): Surface | undefined {
+  try {
+    return readBody(bytes, header, plyValues(bytes, header, true));
+  } catch (error) {
+    if (error instanceof FormatError) return undefined;
+    throw error;
+  }
+}
+
+/** What went wrong may have begun where a row begins inside a line. */
+function withRowHint(error: FormatError, { faults }: PlyValues): FormatError {
+  const hint = faults.firstInside ? brokenRow(faults).message : '';
+  if (hint === '' || error.message === hint) return error;
+  return new FormatError(error.code, `${error.message} ${hint}`, error.where);
+}
+
+function readBody(bytes: Uint8Array, header: PlyHeader, values: PlyValues): Surface {
   const notes: string[] = [];
   const parts: { vertices?: Vertices; faces?: Faces; strips?: Polygons } = {};
   for (const element of header.elements) {
@@ -56,6 +87,7 @@ export function readPly(bytes: Uint8Array): Surface {
     else if (element.name === 'tristrips') parts.strips = readStrips(element, values);
     else skipElement(element, values, notes);
   }
+  values.finish();
   const { position, variables, notes: vertexNotes } = parts.vertices ?? noPoints();
   const triangles = joinTriangles({ ...parts, faces: parts.faces?.polygons }, position, notes);
   const cellLabels = readRegions(parts.faces, parts.strips, header.comments, notes);
@@ -180,8 +212,8 @@ function cornerList({ properties }: PlyElement): PlyProperty | undefined {
 }
 
 interface CornerOptions {
-  /** The corner that ends a strip; a polygon it ends only in error. */
-  endMark?: number;
+  /** What ends a strip in place of a corner; a polygon it ends only in error. */
+  endMarks?: readonly number[];
   /** Where the numbers of other properties go. */
   columns?: Map<string, Float64Array>;
 }
@@ -190,7 +222,7 @@ interface CornerOptions {
 function readCorners(
   element: PlyElement,
   values: PlyValues,
-  { endMark, columns }: CornerOptions,
+  { endMarks, columns }: CornerOptions,
 ): Polygons | undefined {
   const list = cornerList(element);
   if (!list) return undefined;
@@ -199,7 +231,7 @@ function readCorners(
     values.startRow(row);
     for (const property of element.properties) {
       const column = columns?.get(property.name);
-      if (property === list) readList(property, values, collected, endMark);
+      if (property === list) readList(property, values, collected, endMarks);
       else if (column) column[row] = values.next(property.type);
       else values.skip(property);
     }
@@ -207,19 +239,27 @@ function readCorners(
   return collected.toPolygons();
 }
 
-function readList(property: PlyProperty, values: PlyValues, collected: GrowingPolygons, endMark?: number): void {
+function readList(
+  property: PlyProperty,
+  values: PlyValues,
+  collected: GrowingPolygons,
+  endMarks: readonly number[] = [],
+): void {
   const length = values.nextLength(property);
   for (let i = 0; i < length; i++) {
     const corner = values.next(property.type);
-    if (corner === endMark) collected.endPolygon();
+    if (endMarks.includes(corner)) collected.endPolygon();
     else if (Number.isInteger(corner) && corner >= 0 && corner < 2 ** 32) collected.addCorner(corner);
     else throw new FormatError('bad_index', `${capitalised(values.place())} names point ${corner}.`, values.place());
   }
   collected.endPolygon();
 }
 
+/** −1, and what it is where corners have no sign. */
+const stripEnds = [-1, 2 ** 32 - 1];
+
 function readStrips(element: PlyElement, values: PlyValues): Polygons | undefined {
-  const strips = readCorners(element, values, { endMark: -1 });
+  const strips = readCorners(element, values, { endMarks: stripEnds });
   if (!strips) return undefined;
   // A strip that ends with its end mark, as most do, is followed by an empty one.
   const ends = strips.ends.filter((end, index) => end > (index > 0 ? strips.ends[index - 1] : 0));
@@ -242,9 +282,9 @@ function joinTriangles(
   notes: string[],
 ): Uint32Array {
   const { faces = noPolygons, strips = noPolygons } = parts;
-  const { triangles: ofFaces, split } = triangulate(faces, position, 'face');
+  const { triangles: ofFaces, split, short } = triangulate(faces, position, 'face');
   const ofStrips = trianglesOfStrips(strips, position, 'strip');
-  if (split > 0) notes.push(`${counted(split, 'face')} with more than three corners split into triangles.`);
+  notes.push(...polygonNotes('face', split, short));
   if (strips.ends.length > 0)
     notes.push(`${counted(strips.ends.length, 'triangle strip')} taken apart into triangles.`);
   if (position.length === 0) throw new FormatError('no_points', 'The file has no points.');
@@ -266,6 +306,13 @@ function textureNotes({ comments }: PlyHeader): string[] {
 
 function endNotes(bytes: Uint8Array, header: PlyHeader, values: PlyValues): string[] {
   const notes: string[] = [];
+  const { longLines, firstLong = 0 } = values.faults;
+  if (longLines > 0) {
+    const lines = longLines === 1 ? '1 line has' : `${grouped(longLines)} lines have`;
+    notes.push(
+      `${lines} more than the header declares (first line ${grouped(firstLong)}): what is too much passed over.`,
+    );
+  }
   if (values.left > 0) notes.push(`${counted(values.left, 'byte')} after the last element passed over.`);
   else if (header.encoding === 'ascii') notes.push(...cutNotes(bytes));
   return notes;

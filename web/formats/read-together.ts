@@ -1,5 +1,5 @@
 import { FormatError } from './format-error.ts';
-import { addVariables, readSurface, type SurfaceFile } from './read.ts';
+import { addVariables, type ReadOptions, readSurface, type SurfaceFile } from './read.ts';
 import { listed, quoted } from './wording.ts';
 
 /** A file in memory by its name alone. */
@@ -18,6 +18,7 @@ export async function readTogether(
   name: string,
   bytes: Uint8Array,
   others: readonly NamedFile[],
+  options: ReadOptions = {},
 ): Promise<SurfaceFile> {
   const unused = new Set(others);
   const beside = async (path: string) => {
@@ -29,7 +30,7 @@ export async function readTogether(
     unused.delete(file);
     return file.bytes;
   };
-  let surface = await readSurface(name, bytes, beside);
+  let surface = await readSurface(name, bytes, beside, options);
   for (const table of others.filter((other) => tables.test(other.name))) {
     surface = await withTable(surface, table);
     unused.delete(table);

@@ -7,7 +7,15 @@ import { noPolygons, type Polygons } from './polygons.ts';
 import { regionNotes } from './region-notes.ts';
 import { type CellLabels, type Labels, noLabels, type Surface } from './surface.ts';
 import { cutNotes as lineBreakNotes } from './text-lines.ts';
-import { cellDataAdvice, labelsOfTriangles, meshOfPieces, misfitAmong, type PointArray } from './vtk-pieces.ts';
+import { isGhostArray, withoutGhosts } from './vtk-ghosts.ts';
+import {
+  cellDataAdvice,
+  labelsOfTriangles,
+  meshOfPieces,
+  misfitAmong,
+  namedArrays,
+  type PointArray,
+} from './vtk-pieces.ts';
 import { isFloat } from './vtk-values.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
 
@@ -44,24 +52,33 @@ export function readVtk(bytes: Uint8Array): Surface {
   const { position, polygons, strips, points, labels } = parts;
   if (!position) throw new FormatError('no_points', 'The file has no POINTS.');
   const changes: string[] = [];
-  const mesh = meshOfPieces([{ prefix: '', position, arrays: points.arrays, polygons, strips }], changes);
-  const { regions, unfitRegions } = readRegions(parts);
+  const arrays = namedArrays(points.arrays, points.noun, changes);
+  const ghosts = parts.cells.arrays.filter(({ name }) => isGhostArray(name) && areForCells(parts));
+  const piece = withoutGhosts({ prefix: '', position, arrays, polygons, strips }, ghosts, parts.verts + parts.lines);
+  const mesh = meshOfPieces([piece], changes);
+  const { regions, unfitRegions } = readRegions(parts, piece.polygons);
   const notes = [...lossNotes(parts, regions), ...regionNotes(regions), ...changes, ...cutNotes(bytes, text, points)];
   return { mesh, notes, ...labels, regions, unfitRegions };
 }
 
 /** Cell data of one whole number a cell, as labels of the triangles; of files without strips, whose triangles follow the cells. */
-function readRegions({ cells, polygons, strips, verts, lines }: Parts): CellLabels {
+function readRegions(parts: Parts, shown: Polygons): CellLabels {
+  const { cells, strips, verts, lines } = parts;
   const regions = new Map<string, Int32Array>();
   const unfitRegions = new Map<string, string>();
   const before = verts + lines;
-  if (strips.ends.length > 0 || cells.tuples !== before + polygons.ends.length) return { regions, unfitRegions };
-  for (const { name, values } of cells.arrays.filter((array) => array.name !== '')) {
+  if (strips.ends.length > 0 || !areForCells(parts)) return { regions, unfitRegions };
+  for (const { name, values } of cells.arrays.filter((array) => array.name !== '' && !isGhostArray(array.name))) {
     const misfit = misfitAmong(values);
-    if (misfit === undefined) regions.set(name, labelsOfTriangles(values, before, polygons));
+    if (misfit === undefined) regions.set(name, labelsOfTriangles(values, before, shown));
     else unfitRegions.set(name, misfit);
   }
   return { regions, unfitRegions };
+}
+
+/** Whether there are as many values of cells as cells. */
+function areForCells({ cells, polygons, strips, verts, lines }: Parts): boolean {
+  return cells.tuples === verts + lines + polygons.ends.length + strips.ends.length;
 }
 
 function newParts(version: number): Parts {
@@ -73,13 +90,8 @@ function newParts(version: number): Parts {
 
 /** The four lines that every file begins with; returns the version's first number. */
 function readHead(text: LegacyVtkText): number {
-  const version = /Version\s+(\d+)/i.exec(text.line() ?? '')?.[1];
-  text.line();
-  const encoding = (text.line() ?? '').toUpperCase();
-  if (encoding !== 'ASCII' && encoding !== 'BINARY') {
-    const code = text.atEnd() ? 'truncated' : 'bad_header';
-    throw new FormatError(code, `Line 3 should say ASCII or BINARY, but says ${quoted(encoding)}.`, 'line 3');
-  }
+  const version = /Version\s+(\d+)/i.exec(text.words().join(' '))?.[1];
+  const encoding = readEncoding(text);
   const [keyword = '', kind = ''] = text.words();
   if (keyword.toUpperCase() !== 'DATASET') {
     const code = text.atEnd() ? 'truncated' : 'bad_header';
@@ -92,6 +104,23 @@ function readHead(text: LegacyVtkText): number {
   }
   text.binary = encoding === 'BINARY';
   return Number(version ?? 1);
+}
+
+/** The line behind the title. Either may have empty lines around it, and the title may be empty itself. */
+function readEncoding(text: LegacyVtkText): 'ASCII' | 'BINARY' {
+  const encodingOf = (words: string[]) => {
+    const word = words.join(' ').toUpperCase();
+    return word === 'ASCII' || word === 'BINARY' ? word : undefined;
+  };
+  const title = encodingOf(text.words());
+  // A title may be one of these words as well.
+  if (title && text.peek()[0]?.toUpperCase() === 'DATASET') return title;
+  const words = text.words();
+  const encoding = encodingOf(words);
+  if (encoding) return encoding;
+  const code = text.atEnd() ? 'truncated' : 'bad_header';
+  const message = `ASCII or BINARY should stand behind the title, but ${quoted(words.join(' '))} does (${text.place()}).`;
+  throw new FormatError(code, message, text.place());
 }
 
 /** What a surface has once: a second one would contradict the first. */
@@ -156,7 +185,7 @@ function lossNotes(
   { points, cells, file, verts, lines, colourMaps }: Parts,
   regions: ReadonlyMap<string, unknown>,
 ): string[] {
-  const unfit = cells.arrays.map(({ name }) => name).filter((name) => !regions.has(name));
+  const unfit = cells.arrays.map(({ name }) => name).filter((name) => !regions.has(name) && !isGhostArray(name));
   const ofCells = { noun: cells.noun, lost: [...cells.lost, ...unfit] };
   const named = [points, ofCells, file].filter(({ lost }) => lost.length > 0);
   const lost = named.map(({ noun, lost: names }) => `${noun} ${listed(names)}`);

@@ -5,7 +5,8 @@ import { joined } from './joined-arrays.ts';
 import { noPolygons, type Polygons } from './polygons.ts';
 import { regionNotes } from './region-notes.ts';
 import { type CellLabels, type Labels, noLabels, type Surface } from './surface.ts';
-import { type AppendedData, isFloatArray, readDataArray, type VtkPacking } from './vtk-data-array.ts';
+import { type AppendedData, isFloatArray, isOfNumbers, readDataArray, type VtkPacking } from './vtk-data-array.ts';
+import { isGhostArray, withoutGhosts } from './vtk-ghosts.ts';
 import {
   asEnds,
   asIndices,
@@ -13,6 +14,7 @@ import {
   labelsOfTriangles,
   meshOfPieces,
   misfitAmong,
+  namedArrays,
   type Piece,
   type PointArray,
 } from './vtk-pieces.ts';
@@ -38,10 +40,10 @@ export function readVtp(bytes: Uint8Array): Surface {
   const data = onlyOne(childrenOf(root, 'PolyData'), 'PolyData');
   const pieceNodes = data ? childrenOf(data, 'Piece') : [];
   const packing = packingOf(root, appended, bytes.length);
-  const pieces = pieceNodes.map((node, index) =>
-    readPiece(node, packing, pieceNodes.length > 1 ? `piece ${index} ` : ''),
-  );
   const changes: string[] = [];
+  const pieces = pieceNodes.map((node, index) =>
+    readPiece(node, packing, pieceNodes.length > 1 ? `piece ${index} ` : '', changes),
+  );
   const mesh = meshOfPieces(pieces, changes);
   const { regions, unfitRegions } = readRegions(pieceNodes, pieces, packing);
   const notes = [...notCarried(data, pieceNodes, regions), ...regionNotes(regions), ...changes];
@@ -60,19 +62,42 @@ function readRegions(nodes: XmlNode[], pieces: Piece[], packing: VtkPacking): Ce
   for (const name of arraysOf[0].keys()) {
     const found = arraysOf.flatMap((arrays) => arrays.get(name) ?? []);
     if (found.length < nodes.length) continue;
-    const cells = found.map((node, index) => cellValues(node, nodes[index], pieces[index], packing));
-    const misfit = cells.map(({ values, prefix }) => misfitAmong(values, `${prefix}cell`)).find(Boolean);
+    const cells = found.map((node, index) => orDamage(() => cellValues(node, nodes[index], pieces[index], packing)));
+    const whole = cells.filter((each) => typeof each !== 'string');
+    const damage = cells.find((each) => typeof each === 'string');
+    const misfit = damage ?? whole.map(({ values, prefix }) => misfitAmong(values, `${prefix}cell`)).find(Boolean);
     if (misfit !== undefined) unfitRegions.set(name, misfit);
-    else regions.set(name, joined(cells.map(labelsInPiece), Int32Array));
+    else regions.set(name, joined(whole.map(labelsInPiece), Int32Array));
   }
   return { regions, unfitRegions };
 }
 
+/** What is read, or what is wrong with it as a clause: cell data are not needed for the surface. */
+function orDamage<Value>(read: () => Value): Value | string {
+  try {
+    return read();
+  } catch (error) {
+    if (!(error instanceof FormatError)) throw error;
+    return `it is damaged (${error.message.replace(/\.$/, '')})`;
+  }
+}
+
 /** The cell-data arrays of one number a cell, by name. */
 function labelArrays(piece: XmlNode): Map<string, XmlNode> {
-  const arrays = childrenOf(piece, 'CellData').flatMap((parent) => childrenOf(parent, 'DataArray'));
-  const fitting = arrays.filter((node) => componentsOf(node) === 1 && node.attributes.Name);
+  const arrays = dataArrays(piece, 'CellData');
+  const fitting = arrays.filter(isOfOne);
   return new Map(fitting.map((node) => [node.attributes.Name ?? '', node]));
+}
+
+function isOfOne(node: XmlNode): boolean {
+  const { Name: name = '', NumberOfComponents: components = '1' } = node.attributes;
+  return components.trim() === '1' && name !== '' && !isGhostArray(name);
+}
+
+/** The arrays of numbers among the data of points or cells. */
+function dataArrays(piece: XmlNode, tag: 'PointData' | 'CellData'): XmlNode[] {
+  const arrays = childrenOf(piece, tag).flatMap((parent) => childrenOf(parent, 'DataArray'));
+  return arrays.filter(isOfNumbers);
 }
 
 /** The numbers of an array of cell data, with what they belong to: `before` cells are no surface and come first. */
@@ -153,13 +178,25 @@ function packingOf(root: XmlNode, appended: AppendedData | undefined, fileSize: 
   };
 }
 
-function readPiece(node: XmlNode, packing: VtkPacking, prefix: string): Piece {
+function readPiece(node: XmlNode, packing: VtkPacking, prefix: string, notes: string[]): Piece {
   const points = countOf(node, 'NumberOfPoints');
   const position = readPoints(node, points, packing, prefix);
-  const arrays = pointArrays(node).map((array) => readPointArray(array, points, packing, prefix));
+  const named = pointArrays(node).map((array) => ({ array, name: array.attributes.Name ?? '' }));
+  const arrays = namedArrays(named, `${prefix}point data`, notes).map(({ array }) =>
+    readPointArray(array, points, packing, prefix),
+  );
   const polygons = readCells(node, 'Polys', packing, prefix);
   const strips = readCells(node, 'Strips', packing, prefix);
-  return { prefix, position, arrays, polygons, strips };
+  const piece = { prefix, position, arrays, polygons, strips };
+  const before = countOf(node, 'NumberOfVerts') + countOf(node, 'NumberOfLines');
+  const cells = before + polygons.ends.length + strips.ends.length;
+  return withoutGhosts(piece, ghostCells(node, cells, packing, prefix), before);
+}
+
+/** The arrays that say which cells are ghosts. */
+function ghostCells(node: XmlNode, cells: number, packing: VtkPacking, prefix: string): PointArray[] {
+  const arrays = dataArrays(node, 'CellData').filter(({ attributes }) => isGhostArray(attributes.Name ?? ''));
+  return arrays.map((array) => readPointArray(array, cells, packing, prefix));
 }
 
 function countOf(node: XmlNode, attribute: string): number {
@@ -189,7 +226,7 @@ function readPoints(piece: XmlNode, points: number, packing: VtkPacking, prefix:
 
 /** The point-data arrays that are numbers. */
 function pointArrays(piece: XmlNode): XmlNode[] {
-  return childrenOf(piece, 'PointData').flatMap((parent) => childrenOf(parent, 'DataArray'));
+  return dataArrays(piece, 'PointData');
 }
 
 function readPointArray(node: XmlNode, points: number, packing: VtkPacking, prefix: string): PointArray {
@@ -225,12 +262,16 @@ function readCells(piece: XmlNode, kind: 'Polys' | 'Strips', packing: VtkPacking
 
 /** What the file holds beside points, their arrays and triangles. */
 function notCarried(data: XmlNode | undefined, pieces: XmlNode[], regions: ReadonlyMap<string, unknown>): string[] {
-  const names = (parents: XmlNode[], tags = ['DataArray', 'Array']) => [
+  const isArray = ({ tag }: XmlNode) => tag === 'DataArray' || tag === 'Array';
+  const isUnread = (node: XmlNode) => isArray(node) && !(node.tag === 'DataArray' && isOfNumbers(node));
+  const isText = (node: XmlNode) => isUnread(node) && (node.attributes.type ?? 'String').toLowerCase() === 'string';
+  const names = (parents: XmlNode[], matches: (node: XmlNode) => boolean = isArray) => [
     ...new Set(
       parents
         .flatMap((parent) => parent.children)
-        .filter(({ tag }) => tags.includes(tag))
-        .map(({ attributes }) => attributes.Name ?? ''),
+        .filter((node) => matches(node))
+        .map(({ attributes }) => attributes.Name ?? '')
+        .filter((name) => !isGhostArray(name)),
     ),
   ];
   const inPieces = (tag: string) => pieces.flatMap((piece) => childrenOf(piece, tag));
@@ -239,7 +280,8 @@ function notCarried(data: XmlNode | undefined, pieces: XmlNode[], regions: Reado
   const arrays: [string, string[]][] = [
     ['cell data', cellData],
     ['field data', names([data, ...pieces].flatMap((parent) => (parent ? childrenOf(parent, 'FieldData') : [])))],
-    ['text arrays', names(inPieces('PointData'), ['Array'])],
+    ['text arrays', names(inPieces('PointData'), isText)],
+    ['arrays in a form that is not read', names(inPieces('PointData'), (node) => isUnread(node) && !isText(node))],
   ];
   const lost = arrays.filter(([, found]) => found.length > 0).map(([noun, found]) => `${noun} ${listed(found)}`);
   if (cells('Verts') > 0) lost.push(counted(cells('Verts'), 'vertex cell'));

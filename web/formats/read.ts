@@ -1,10 +1,12 @@
 import type { Variable } from '../../wasm/types.ts';
+import { withCrackNotes, withWeldedEnds } from './cracks.ts';
 import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
 import { gunzip, isGzip } from './gzip.ts';
 import { withJoinedFaces } from './loose-faces.ts';
 import { withOpenSeams } from './open-seams.ts';
 import { recognise } from './recognise.ts';
+import { stlKind } from './stl-kind.ts';
 import { type Beside, type Format, noLabels, type Surface } from './surface.ts';
 import { withinMemory } from './within-memory.ts';
 import { quoted } from './wording.ts';
@@ -25,6 +27,16 @@ export interface SurfaceFile extends Surface {
   summary: string;
   /** The surface before faces were joined, where they were: with the points of the file. */
   asRead?: Surface & { format: Format };
+  /** What it was read with. */
+  options: ReadOptions;
+}
+
+export interface ReadOptions {
+  /**
+   * Points where sheets end that lie within this fraction of the extent of the surface are put into one place, and made one where
+   * their values agree as well (see withWeldedEnds). Default: none are.
+   */
+  weld?: number;
 }
 
 /**
@@ -33,9 +45,15 @@ export interface SurfaceFile extends Surface {
  * mark. `beside` gives the files that a glTF file names; without it, one that does is refused. Throws a FormatError for whatever is wrong with the file. Values that are NaN or infinite, repeated corners and
  * unused points are passed on: they are the core's to judge.
  */
-export async function readSurface(name: string, bytes: Uint8Array, beside?: Beside): Promise<SurfaceFile> {
+export async function readSurface(
+  name: string,
+  bytes: Uint8Array,
+  beside?: Beside,
+  options: ReadOptions = {},
+): Promise<SurfaceFile> {
   const plainName = isGzip(bytes) ? name.replace(/\.gz$/i, '') : name;
-  return readUnpacked(plainName, await withinMemory(() => unpacked(bytes)), beside);
+  const asRead = await readUnpacked(plainName, await withinMemory(() => unpacked(bytes)), beside);
+  return withinMemory(async () => joinedFile(asRead, options));
 }
 
 async function unpacked(bytes: Uint8Array): Promise<Uint8Array> {
@@ -62,21 +80,27 @@ export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promi
   return { ...extended, units, notes, summary: notes.join(' ') };
 }
 
-async function readUnpacked(name: string, bytes: Uint8Array, beside?: Beside): Promise<SurfaceFile> {
+/** Without the mark that some programs put before a text in UTF-8. */
+function withoutByteOrderMark(bytes: Uint8Array): Uint8Array {
+  const isMarked = [0xef, 0xbb, 0xbf].every((byte, i) => bytes[i] === byte);
+  return isMarked && stlKind(bytes) !== 'binary' ? bytes.slice(3) : bytes;
+}
+
+async function readUnpacked(name: string, whole: Uint8Array, beside?: Beside): Promise<Surface & { format: Format }> {
+  const bytes = withoutByteOrderMark(whole);
   const format = recognise(bytes, name);
   const read = await readers[format]();
   const surface = withoutGeometryName(await withinMemory(async () => read(bytes, beside)));
-  return withinMemory(async () =>
-    joinedFile({ ...surface, format, notes: [...endingNote(name, format), ...surface.notes] }),
-  );
+  return { ...surface, format, notes: [...endingNote(name, format), ...surface.notes] };
 }
 
 /** The surface that the core gets, of what a reader left. */
-function joinedFile(asRead: Surface & { format: Format }): SurfaceFile {
-  const joined = withJoinedFaces(asRead);
-  const surface = withOpenSeams(joined);
-  const summary = surface.notes.join(' ');
-  return joined === asRead ? { ...asRead, ...surface, summary } : { ...asRead, ...surface, summary, asRead };
+function joinedFile(asRead: Surface & { format: Format }, options: ReadOptions): SurfaceFile {
+  const faces = withJoinedFaces(asRead);
+  const joined = options.weld === undefined ? faces : withWeldedEnds(faces, options.weld);
+  const surface = withCrackNotes(withOpenSeams(joined));
+  const file = { ...asRead, ...surface, summary: surface.notes.join(' '), options };
+  return joined === asRead ? file : { ...file, asRead };
 }
 
 /** The surface with other variables at the points of its file, in which it may hang together otherwise. */
@@ -84,7 +108,7 @@ export function withVariables(file: SurfaceFile, change: (variables: Variable[])
   const changed = <Changed extends Surface>(surface: Changed): Changed => {
     return { ...surface, mesh: { ...surface.mesh, variables: change(surface.mesh.variables) } };
   };
-  return file.asRead ? joinedFile(changed(file.asRead)) : changed(file);
+  return file.asRead ? joinedFile(changed(file.asRead), file.options) : changed(file);
 }
 
 /** What the geometry is called among the variables. */

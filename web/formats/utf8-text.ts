@@ -1,5 +1,5 @@
 import { FormatError } from './format-error.ts';
-import { capitalised } from './wording.ts';
+import { capitalised, foreign } from './wording.ts';
 
 /** The text that these bytes are; `what` names it in messages ("the CSV file"). */
 export function utf8Text(bytes: Uint8Array, what: string): string {
@@ -10,7 +10,7 @@ export function utf8Text(bytes: Uint8Array, what: string): string {
     // Engines disagree about the class of this one.
     throw new FormatError(
       'too_large',
-      `${capitalised(what)} is longer than a text can be (${(error as Error).message}).`,
+      `${capitalised(what)} is longer than a text can be (${foreign((error as Error).message)}).`,
     );
   }
 }

@@ -3,7 +3,7 @@ import { AsciiNumbers } from './ascii-numbers.ts';
 import { Base64Bytes, type ByteStream, RawBytes } from './byte-streams.ts';
 import { FormatError } from './format-error.ts';
 import { byteLength, fromBytes, isFloat, isVtkType, roomFor, type VtkType, type VtkValues } from './vtk-values.ts';
-import { counted, grouped, quoted } from './wording.ts';
+import { counted, foreign, grouped, quoted } from './wording.ts';
 import type { XmlNode } from './xml-tree.ts';
 
 export interface AppendedData {
@@ -23,6 +23,11 @@ export interface VtkPacking {
   appended: AppendedData | undefined;
   /** How many more bytes the arrays may take: what stands between a small file and a zlib bomb. */
   budget: { bytes: number };
+}
+
+/** Whether an array is of numbers that are read here: others are text, or in a form that VTK writes no more or not yet. */
+export function isOfNumbers({ attributes: { type, format = '' } }: XmlNode): boolean {
+  return isVtkType(type) && ['ascii', 'binary', 'appended'].includes(format);
 }
 
 export function isFloatArray({ attributes }: XmlNode): boolean {
@@ -145,7 +150,7 @@ function inflate(compressed: Uint8Array, room: Uint8Array, where: string): void 
   } catch (error) {
     throw new FormatError(
       'corrupt',
-      `The compressed ${where} cannot be unpacked (${(error as Error).message}).`,
+      `The compressed ${where} cannot be unpacked (${foreign((error as Error).message)}).`,
       where,
     );
   }

@@ -1,10 +1,11 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
 import { joined } from './joined-arrays.ts';
-import { type Polygons, trianglesOfStrips, triangulate } from './polygons.ts';
+import { type Polygons, polygonNotes, trianglesIn, trianglesOfStrips, triangulate } from './polygons.ts';
 import { asFloatingPoint } from './precision.ts';
+import { countCells, type Ghosts, ghostNotes } from './vtk-ghost-counts.ts';
 import type { VtkValues } from './vtk-values.ts';
-import { counted, grouped, listed, quoted } from './wording.ts';
+import { counted, grouped, listed } from './wording.ts';
 
 /** A point-data array before it is known whether all pieces have it. */
 export interface PointArray {
@@ -26,11 +27,12 @@ export interface Piece {
   arrays: PointArray[];
   polygons: Polygons;
   strips: Polygons;
+  /** What was left out of it; those polygons and strips have no corners. */
+  ghosts?: Ghosts;
 }
 
 /** One mesh of all pieces, triangulated; adds to `notes` what was changed or left out on the way. */
 export function meshOfPieces(pieces: Piece[], notes: string[]): Mesh {
-  for (const piece of pieces) checkNames(piece);
   const full = pieces.filter((piece) => piece.position.values.length > 0);
   if (full.length === 0) throw new FormatError('no_points', 'The file has no points.');
   const variables = joinArrays(full, notes);
@@ -40,16 +42,15 @@ export function meshOfPieces(pieces: Piece[], notes: string[]): Mesh {
   return { position, triangles, variables };
 }
 
-function checkNames({ arrays, prefix }: Piece): void {
+/** The arrays that a variable can be made of; those without a name of their own are said to be left out. */
+export function namedArrays<Named extends { name: string }>(arrays: Named[], noun: string, notes: string[]): Named[] {
   const seen = new Set<string>();
-  for (const { name } of arrays) {
-    const where = `${prefix}point data`;
-    if (name === '') throw new FormatError('empty_name', `An array of the ${where} has no name.`, where);
-    if (seen.has(name)) {
-      throw new FormatError('duplicate_name', `Two arrays of the ${where} are named ${quoted(name)}.`, where);
-    }
-    seen.add(name);
-  }
+  const fit = arrays.filter(({ name }) => name !== '' && !seen.has(name) && seen.add(name));
+  const nameless = arrays.filter(({ name }) => name === '').length;
+  const twice = new Set(arrays.filter((array) => array.name !== '' && !fit.includes(array)).map(({ name }) => name));
+  if (nameless > 0) notes.push(`Not carried: ${counted(nameless, 'array')} of the ${noun} without a name.`);
+  if (twice.size > 0) notes.push(`Not carried: what is named ${listed([...twice])} a second time in the ${noun}.`);
+  return fit;
 }
 
 function joinArrays(pieces: Piece[], notes: string[]): Variable[] {
@@ -89,19 +90,23 @@ function joinValues(parts: PointArray[]): VtkValues {
 }
 
 function joinTriangles(pieces: Piece[], notes: string[]): Uint32Array {
-  let [points, split, strips] = [0, 0, 0];
+  let [points, split, short, strips, shortStrips] = [0, 0, 0, 0, 0];
   const parts = pieces.flatMap((piece) => {
     const position = piece.position.values;
+    const { ghosts = { polygons: 0, strips: 0 } } = piece;
     const ofPolygons = triangulate(piece.polygons, position, `${piece.prefix}polygon`);
     const ofStrips = trianglesOfStrips(piece.strips, position, `${piece.prefix}strip`);
     const shift = points;
     points += position.length / 3;
+    const ofKinds = [countCells(piece.polygons, ghosts.polygons), countCells(piece.strips, ghosts.strips)];
     split += ofPolygons.split;
-    strips += piece.strips.ends.length;
+    short += ofKinds[0].short;
+    shortStrips += ofKinds[1].short;
+    strips += ofKinds[1].full;
     const shifted = (corners: Uint32Array) => (shift === 0 ? corners : corners.map((corner) => corner + shift));
     return [shifted(ofPolygons.triangles), shifted(ofStrips)];
   });
-  if (split > 0) notes.push(`${counted(split, 'polygon')} with more than three corners split into triangles.`);
+  notes.push(...ghostNotes(pieces), ...polygonNotes('polygon', split, short), ...polygonNotes('strip', 0, shortStrips));
   if (strips > 0) notes.push(`${counted(strips, 'triangle strip')} taken apart into triangles.`);
   const full = parts.filter((part) => part.length > 0);
   const triangles = full.length === 1 ? full[0] : joined(full, Uint32Array);
@@ -142,12 +147,13 @@ function isLabel(value: number): boolean {
  * each number misfitAmong says nothing.
  */
 export function labelsOfTriangles(values: ArrayLike<number>, before: number, { ends }: Polygons): Int32Array {
-  const labels = new Int32Array(ends.length > 0 ? ends[ends.length - 1] - 2 * ends.length : 0);
+  const triangles = (polygon: number) => trianglesIn(ends[polygon] - (polygon > 0 ? ends[polygon - 1] : 0));
+  const labels = new Int32Array(ends.reduce((sum, _, polygon) => sum + triangles(polygon), 0));
   let triangle = 0;
-  ends.forEach((end, polygon) => {
-    const corners = end - (polygon > 0 ? ends[polygon - 1] : 0);
-    labels.fill(values[before + polygon], triangle, triangle + corners - 2);
-    triangle += corners - 2;
-  });
+  for (let polygon = 0; polygon < ends.length; polygon++) {
+    const next = triangle + triangles(polygon);
+    labels.fill(values[before + polygon], triangle, next);
+    triangle = next;
+  }
   return labels;
 }

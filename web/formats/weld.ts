@@ -17,6 +17,12 @@ export interface Weld {
 export function weld(mesh: Mesh): Weld {
   const rows = [{ values: mesh.position, components: 3 }, ...mesh.variables];
   const same = firstOfEqual(rows, mesh.position.length / 3);
+  const joined = withoutRepeated(mesh, same);
+  return { mesh: joined, welded: (mesh.position.length - joined.position.length) / 3 };
+}
+
+/** The mesh without points that are the same as another one: `same` says which, for each point; those that stay name themselves. */
+export function withoutRepeated(mesh: Mesh, same: Uint32Array): Pick<Mesh, 'position' | 'triangles' | 'variables'> {
   const kept = same.filter((first, point) => first === point);
   const renumbered = new Uint32Array(same.length);
   for (const [index, point] of kept.entries()) renumbered[point] = index;
@@ -25,7 +31,7 @@ export function weld(mesh: Mesh): Weld {
     (variable): Variable => ({ ...variable, values: gather(variable.values, variable.components, kept) }),
   );
   const triangles = mesh.triangles.map((corner) => renumbered[same[corner]]);
-  return { mesh: { position, triangles, variables }, welded: same.length - kept.length };
+  return { position, triangles, variables };
 }
 
 /** For each point the first one in the same place. */

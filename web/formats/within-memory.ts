@@ -1,4 +1,5 @@
 import { FormatError } from './format-error.ts';
+import { foreign } from './wording.ts';
 
 /** Runs what may need more memory than there is, and says so in a FormatError if it does. */
 export async function withinMemory<Result>(work: () => Result | Promise<Result>): Promise<Result> {
@@ -7,6 +8,6 @@ export async function withinMemory<Result>(work: () => Result | Promise<Result>)
   } catch (error) {
     // Engines report an array or a string that they have no room for as a RangeError.
     if (!(error instanceof RangeError)) throw error;
-    throw new FormatError('too_large', `The file needs more memory than there is (${error.message}).`);
+    throw new FormatError('too_large', `The file needs more memory than there is (${foreign(error.message)}).`);
   }
 }

@@ -20,6 +20,15 @@ export function quoted(name: string): string {
   return `“${shown.length > longest ? `${shown.slice(0, longest)}…` : shown}”`;
 }
 
+/**
+ * What an engine or a package says of a fault, as a part of a sentence of ours: with our quotation marks, and without the piece
+ * of the file that some engines add.
+ */
+export function foreign(message: string): string {
+  const [said] = printable(message).split(/, "/);
+  return said.replace(/(["'])(.*?)\1/g, '“$2”').replace(/\.$/, '');
+}
+
 /** `“a”, “b” and 17 more`: so that a note stays readable whatever a file holds. */
 export function listed(names: string[]): string {
   const most = 8;

@@ -1,5 +1,6 @@
 import { SaxesParser, type SaxesTagPlain } from 'saxes';
 import { FormatError } from './format-error.ts';
+import { foreign, quoted } from './wording.ts';
 
 export interface XmlNode {
   tag: string;
@@ -40,25 +41,49 @@ export function parseXml(bytes: Uint8Array, open: boolean): XmlNode {
   parser.on('text', (text) => {
     stack[stack.length - 1].text += text;
   });
-  parser.on('error', (error) => fail(error.message.replace(/^\d+:\d+: /, '').replace(/\.$/, '')));
+  parser.on('error', (error) => fail(foreign(error.message.replace(/^\d+:\d+: /, ''))));
   feed(parser, bytes);
   if (!open) close(parser);
   return stack[0].children[0] ?? fail('there is no element');
 }
 
-function feed(parser: SaxesParser<{ xmlns: false }>, bytes: Uint8Array): void {
-  const decoder = new TextDecoder('utf-8', { fatal: true });
-  for (let at = 0; at < bytes.length; at += chunkSize) {
-    parser.write(decodeChunk(decoder, bytes.subarray(at, at + chunkSize), parser));
+/** Room for the XML declaration, which is the first thing in a file. */
+const declarationSize = 1 << 10;
+
+/** The encoding that a document declares, in lower case. */
+function declaredEncoding(bytes: Uint8Array): string {
+  const head = new TextDecoder('latin1').decode(bytes.subarray(0, declarationSize));
+  return /^\s*<\?xml[^>]*?\bencoding\s*=\s*["']([^"']*)["']/.exec(head)?.[1].toLowerCase() ?? 'utf-8';
+}
+
+function decoderOf(encoding: string): TextDecoder {
+  try {
+    return new TextDecoder(encoding, { fatal: true });
+  } catch {
+    const message = `The file declares the encoding ${quoted(encoding)}, which is not read here. Save it in UTF-8.`;
+    throw new FormatError('unsupported_feature', message);
   }
 }
 
-function decodeChunk(decoder: TextDecoder, chunk: Uint8Array, parser: SaxesParser<{ xmlns: false }>): string {
+function feed(parser: SaxesParser<{ xmlns: false }>, bytes: Uint8Array): void {
+  const encoding = declaredEncoding(bytes);
+  const decoder = decoderOf(encoding);
+  for (let at = 0; at < bytes.length; at += chunkSize) {
+    parser.write(decodeChunk(decoder, bytes.subarray(at, at + chunkSize), parser, encoding));
+  }
+}
+
+function decodeChunk(
+  decoder: TextDecoder,
+  chunk: Uint8Array,
+  parser: SaxesParser<{ xmlns: false }>,
+  encoding: string,
+): string {
   try {
     return decoder.decode(chunk, { stream: true });
   } catch {
     const where = `after line ${parser.line}`;
-    throw new FormatError('bad_encoding', `The text is not UTF-8 (somewhere ${where}).`, where);
+    throw new FormatError('bad_encoding', `The text is not ${encoding.toUpperCase()} (somewhere ${where}).`, where);
   }
 }
 

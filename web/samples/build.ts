@@ -46,7 +46,7 @@ const wanted = process.argv.slice(2);
 const chosen = samples.filter(({ name }) => wanted.length === 0 || wanted.includes(name));
 const unknown = wanted.filter((name) => !samples.some((sample) => sample.name === name));
 if (unknown.length > 0) {
-  console.error(`No sample "${unknown.join('", "')}". There are: ${samples.map(({ name }) => name).join(', ')}.`);
+  console.error(`No sample “${unknown.join('”, “')}”. There are: ${samples.map(({ name }) => name).join(', ')}.`);
   process.exit(1);
 }
 const stale = chosen.filter((sample) => !isFresh(sample));

@@ -47,7 +47,7 @@ export function isosurface(volume: Volume, of: string, isovalue: number, carried
 function valuesOf(volume: Volume, name: string): Float32Array {
   const variable = volume.variables.find((candidate) => candidate.name === name);
   if (!variable) {
-    throw new Error(`The simulation "${volume.scene}" has no variable "${name}".`);
+    throw new Error(`The simulation “${volume.scene}” has no variable “${name}”.`);
   }
   return variable.values;
 }

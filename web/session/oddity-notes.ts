@@ -42,6 +42,14 @@ export function droppedNotes({ parts, triangles: count }: Report['dropped']): st
   return [`${left} smaller than the bound of position, ${triangles(count)}: left out; nothing is promised of them.`];
 }
 
+/** Where parts may come to pierce each other, and what keeps them from it: a sentence; `near` as havePartsWithin has it. */
+export function nearPartsNotes(near: boolean | undefined): string[] {
+  if (near !== true) return [];
+  return [
+    'parts of the surface are nearer to each other than the bound of position, and may pierce each other in the result: --refuse-piercing keeps them from it.',
+  ];
+}
+
 /** Significant digits of a feature size in a sentence; the report has them all. */
 const featureDigits = 4;
 

@@ -1,5 +1,6 @@
 import type { Mesh } from '../../wasm/types.ts';
 import { fromAnyHost } from '../../workers/from-any-host.ts';
+import type { ReadOptions } from '../formats/read.ts';
 import type { NamedFile } from '../formats/read-together.ts';
 import type { Labels } from '../formats/surface.ts';
 import type { Watchers } from './watchers.ts';
@@ -27,6 +28,7 @@ export function readInWorker(
   bytes: Uint8Array<ArrayBuffer>,
   { signal }: Watchers = {},
   beside: NamedFile[] = [],
+  options: ReadOptions = {},
 ): Promise<OpenedFile> {
   const Worker = fromAnyHost(globalThis.Worker);
   const worker = new Worker(new URL('./read.worker.ts', import.meta.url), { type: 'module' });
@@ -36,6 +38,6 @@ export function readInWorker(
     signal?.addEventListener('abort', () => reject(signal.reason), { once: true });
     worker.onerror = ({ message }) => reject(new Error(message || 'The reader could not be started.'));
   });
-  worker.postMessage({ name, bytes, beside }, [bytes.buffer, ...beside.map((file) => file.bytes.buffer)]);
+  worker.postMessage({ name, bytes, beside, options }, [bytes.buffer, ...beside.map((file) => file.bytes.buffer)]);
   return answer.finally(() => worker.terminate());
 }

@@ -1,10 +1,11 @@
+import type { ReadOptions } from '../formats/read.ts';
 import { type NamedFile, readTogether } from '../formats/read-together.ts';
 import { withoutRegionNotes } from '../formats/region-notes.ts';
 import { codeOf, messageOf } from './failure.ts';
 import type { OpenedFile, ReadAnswer } from './read.ts';
 
 /** A surface and the files that were chosen with it. */
-type Files = NamedFile & { beside: NamedFile[] };
+type Files = NamedFile & { beside: NamedFile[]; options: ReadOptions };
 
 addEventListener('message', async ({ data }: MessageEvent<Files>) => {
   try {
@@ -12,6 +13,7 @@ addEventListener('message', async ({ data }: MessageEvent<Files>) => {
       data.name,
       data.bytes,
       data.beside,
+      data.options,
     );
     const file = {
       mesh,

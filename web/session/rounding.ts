@@ -20,3 +20,32 @@ function inSteps(value: number, digits: number, whole: (count: number) => number
   const [significand, exponent] = value.toExponential().split('e').map(Number);
   return Number(`${whole(significand * 10 ** (digits - 1))}e${exponent - digits + 1}`);
 }
+
+/** More digits than these no double has. */
+const mostDigits = 17;
+
+/** Of a span so much is worth a digit: with the last one it is told to a hundredth at least. */
+const spanDigits = 3;
+
+/** How many significant digits tell a number of this size from one that lies `span` beside it; never fewer than `least`. */
+export function tellingDigits(size: number, span: number, least: number): number {
+  if (!(span > 0) || !Number.isFinite(size / span)) return least;
+  return Math.min(mostDigits, Math.max(least, Math.ceil(Math.log10(Math.abs(size) / span)) + spanDigits));
+}
+
+/** The same for the two ends of a range. */
+export function rangeDigits(lowest: number, highest: number, least: number): number {
+  return tellingDigits(Math.max(Math.abs(lowest), Math.abs(highest)), highest - lowest, least);
+}
+
+/**
+ * What share of `before` is gone, in percent, with so many significant digits; 100 only where nothing is left: of
+ * 320 000 to 2 it is 99.999, however few digits were asked for.
+ */
+export function removedPercent(before: number, after: number, digits: number): number {
+  const left = (100 * after) / before;
+  const rounded = Number((100 - left).toPrecision(digits));
+  if (rounded < 100 || after === 0) return rounded;
+  const nines = 10 ** Math.max(1, Math.ceil(-Math.log10(left)) - 1);
+  return Math.floor((100 - left) * nines + roundingSlack) / nines;
+}
