@@ -35,15 +35,15 @@ void ResultArrays::mesh(const Mesh& mesh) {
     if (!mesh.regions.empty()) array("regions", mesh.regions);
 }
 
-void ResultArrays::map(const SurfaceMap& surface_map) {
+void ResultArrays::map(const SurfaceMap& map) {
     std::vector<std::uint32_t> triangle, edges;
     std::vector<double> barycentric, places;
     std::vector<std::uint8_t> rightward;
-    for (const MapPlace& place : surface_map.places) {
+    for (const MapPlace& place : map.places) {
         triangle.push_back(place.triangle);
         for (int corner = 0; corner < 3; ++corner) barycentric.push_back(place.barycentric[corner]);
     }
-    for (const MapCrossing& crossing : surface_map.crossings) {
+    for (const MapCrossing& crossing : map.crossings) {
         edges.insert(edges.end(), {crossing.original.x, crossing.original.y, crossing.reduced.x, crossing.reduced.y});
         places.insert(places.end(), {crossing.s, crossing.t});
         rightward.push_back(crossing.rightward ? 1 : 0);
@@ -55,53 +55,53 @@ void ResultArrays::map(const SurfaceMap& surface_map) {
     array("map:crossingRightward", rightward);
 }
 
-void ResultArrays::report(const Report& made) {
+void ResultArrays::report(const Report& report) {
     const auto number = [](std::size_t count) { return static_cast<double>(count); };
     array<double>("report:counts",
-                  {number(made.triangles_before), number(made.triangles_after), number(made.vertices_before),
-                   number(made.vertices_after), number(made.refused.fixed), number(made.refused.topology),
-                   number(made.refused.fold), number(made.refused.piercing), number(made.turned_before),
-                   number(made.turned_after), number(made.oddities.repeated_vertex_triangles),
-                   number(made.oddities.zero_area_triangles), number(made.oddities.unused_vertices),
-                   number(made.non_manifold_vertices), number(made.cells), number(made.folded_cells),
-                   number(made.dropped.parts), number(made.dropped.triangles), made.feature_size.value_or(0)});
+                  {number(report.triangles_before), number(report.triangles_after), number(report.vertices_before),
+                   number(report.vertices_after), number(report.refused.fixed), number(report.refused.topology),
+                   number(report.refused.fold), number(report.refused.piercing), number(report.turned_before),
+                   number(report.turned_after), number(report.oddities.repeated_vertex_triangles),
+                   number(report.oddities.zero_area_triangles), number(report.oddities.unused_vertices),
+                   number(report.non_manifold_vertices), number(report.cells), number(report.folded_cells),
+                   number(report.dropped.parts), number(report.dropped.triangles), report.feature_size.value_or(0)});
     std::vector<double> regions;
-    for (const RegionReport& region : made.regions)
+    for (const RegionReport& region : report.regions)
         regions.insert(regions.end(), {static_cast<double>(region.label), number(region.triangles_before),
                                        number(region.triangles_after), region.area_before, region.area_after});
     array("report:regions", regions);
-    for (const VariableReport& variable : made.variables)
+    for (const VariableReport& variable : report.variables)
         array<double>("report:" + variable.name,
                       {variable.bound.extent, variable.bound.magnitude, variable.bound.constant ? 1.0 : 0.0,
                        variable.bound.absolute, variable.error, variable.ratio, number(variable.refused)});
 }
 
-void ResultArrays::reduction(const Reduction& result) {
-    mesh(result.mesh);
-    array("vertices", result.vertices);
-    for (std::size_t variable = 0; variable < result.triangle_errors.size(); ++variable) {
-        const std::string name = ":" + result.report.variables[variable].name;
-        const TriangleErrors& errors = result.triangle_errors[variable];
+void ResultArrays::reduction(const Reduction& reduction) {
+    mesh(reduction.mesh);
+    array("vertices", reduction.vertices);
+    for (std::size_t variable = 0; variable < reduction.triangle_errors.size(); ++variable) {
+        const std::string name = ":" + reduction.report.variables[variable].name;
+        const TriangleErrors& errors = reduction.triangle_errors[variable];
         array("largest" + name, errors.largest);
         array("lowest" + name, errors.lowest);
         array("highest" + name, errors.highest);
         array("ratio" + name, errors.ratio);
     }
-    for (std::size_t variable = 0; variable < result.vertex_errors.size(); ++variable) {
-        const std::string name = ":" + result.report.variables[variable].name;
-        array("vertexError" + name, result.vertex_errors[variable].error);
-        array("vertexSignedError" + name, result.vertex_errors[variable].signed_error);
+    for (std::size_t variable = 0; variable < reduction.vertex_errors.size(); ++variable) {
+        const std::string name = ":" + reduction.report.variables[variable].name;
+        array("vertexError" + name, reduction.vertex_errors[variable].error);
+        array("vertexSignedError" + name, reduction.vertex_errors[variable].signed_error);
     }
-    if (!result.map.places.empty()) map(result.map);
-    report(result.report);
+    if (!reduction.map.places.empty()) map(reduction.map);
+    report(reduction.report);
 }
 
-void ResultArrays::levels(const Levels& nested) {
-    for (std::size_t i = 0; i < nested.levels.size(); ++i) {
+void ResultArrays::levels(const Levels& levels) {
+    for (std::size_t i = 0; i < levels.levels.size(); ++i) {
         const std::string name = std::to_string(i);
-        array("level" + name, nested.levels[i].mesh.triangles);
-        array("vertices" + name, nested.levels[i].vertices);
-        const Morph& morph = nested.morphs[i];
+        array("level" + name, levels.levels[i].mesh.triangles);
+        array("vertices" + name, levels.levels[i].vertices);
+        const Morph& morph = levels.morphs[i];
         array("morph" + name, morph.triangles);
         for (std::size_t v = 0; v < morph.finer.variables.size(); ++v) {
             array("finer" + name + ":" + morph.finer.variables[v].name, morph.finer.variables[v].values);
