@@ -12,7 +12,7 @@ const interpreters = ['/usr/bin/python3', 'python3'];
 
 /** Builds the module and the samples, where something changed. */
 export function buildModule(): void {
-  execFileSync(fromRoot('.ci/build.sh'), { stdio: ['ignore', process.stderr, 'inherit'] });
+  execFileSync(fromRoot('scripts/build.sh'), { stdio: ['ignore', process.stderr, 'inherit'] });
 }
 
 /** Compiles the native side with the core as it is now; quick where nothing changed. */

@@ -53,16 +53,16 @@ Mesh with_backs_apart(const Mesh& mesh) {
     Mesh both = mesh;
     const auto vertices = static_cast<std::uint32_t>(vertex_count(mesh));
     for (const glm::uvec3& t : mesh.triangles) both.triangles.push_back(turned(t) + vertices);
-    const auto append = [](Variable& to, const Variable& from) {
+    const auto append = [](Values& to, const Values& from) {
         std::visit(
             [&from](auto& values) {
-                const auto& more = std::get<std::decay_t<decltype(values)>>(from.values);
+                const auto& more = std::get<std::decay_t<decltype(values)>>(from);
                 values.insert(values.end(), more.begin(), more.end());
             },
-            to.values);
+            to);
     };
-    append(both.position, mesh.position);
-    for (std::size_t i = 0; i < mesh.variables.size(); ++i) append(both.variables[i], mesh.variables[i]);
+    append(both.position.values, mesh.position.values);
+    for (std::size_t i = 0; i < mesh.variables.size(); ++i) append(both.variables[i].values, mesh.variables[i].values);
     return both;
 }
 

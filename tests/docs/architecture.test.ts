@@ -1,17 +1,23 @@
-// What docs/architecture.md says of the folders' imports is true.
+// What docs/architecture.md says of the imports of folders, and of the includes of the core's rooms, is true.
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join, normalize } from 'node:path';
-import { expect, test } from 'vitest';
+import { describe, expect, test } from 'vitest';
 
-/** What each folder may import besides itself, from the table in the document. */
-function allowedImports(): Map<string, string[]> {
-  const table = readFileSync('docs/architecture.md', 'utf8').matchAll(/^\| `([\w/]+)` \|.*\|([^|]*)\|$/gm);
-  return new Map(
-    Array.from(table, ([, folder, names]) => [folder, [...names.matchAll(/`([\w/]+)`/g)].map(([, n]) => n)]),
-  );
+import * as rooms from './rooms.ts';
+
+/** The rows of the table under a heading of the document: what the first column names, and the text of the last one. */
+function tableUnder(heading: string): [string, string][] {
+  const document = readFileSync('docs/architecture.md', 'utf8');
+  const section = document.split(/^## /m).find((text) => text.startsWith(`${heading}\n`)) ?? '';
+  return Array.from(section.matchAll(/^\| `([\w/]+)` \|.*\|([^|]*)\|$/gm), ([, name, last]) => [name, last]);
 }
 
-const allowed = allowedImports();
+function namesIn(cell: string): string[] {
+  return Array.from(cell.matchAll(/`([\w/.]+)`/g), ([, name]) => name);
+}
+
+/** What each folder may import besides itself. */
+const allowed = new Map(tableUnder('What each folder may know').map(([folder, cell]) => [folder, namesIn(cell)]));
 
 function folderOf(path: string): string | undefined {
   return [...allowed.keys()].find((folder) => path.startsWith(`${folder}/`));
@@ -27,6 +33,20 @@ function importsOf(path: string): string[] {
   const text = readFileSync(path, 'utf8');
   const names = text.matchAll(/(?:\bfrom|\bimport)\s*\(?\s*'(\.[^']*)'/g);
   return Array.from(names, ([, name]) => normalize(join(dirname(path), name)));
+}
+
+/** Every circle in which files name each other. */
+function circlesIn(imports: Map<string, string[]>): string[] {
+  const seen = new Set<string>();
+  const circles: string[] = [];
+  const follow = (path: string, way: string[]) => {
+    if (way.includes(path)) circles.push([...way.slice(way.indexOf(path)), path].join(' → '));
+    if (seen.has(path)) return;
+    seen.add(path);
+    for (const imported of imports.get(path) ?? []) follow(imported, [...way, path]);
+  };
+  for (const path of imports.keys()) follow(path, []);
+  return circles;
 }
 
 test('the table names every folder of web', () => {
@@ -52,17 +72,8 @@ test('no file imports itself by way of others, not even for types', () => {
   const imports = new Map(
     ['workers', 'wasm', 'web'].flatMap((folder) => sources(folder, /\.ts$/)).map((path) => [path, importsOf(path)]),
   );
-  const seen = new Set<string>();
-  const circles: string[] = [];
-  const follow = (path: string, way: string[]) => {
-    if (way.includes(path)) circles.push([...way.slice(way.indexOf(path)), path].join(' → '));
-    if (seen.has(path)) return;
-    seen.add(path);
-    for (const imported of imports.get(path) ?? []) follow(imported, [...way, path]);
-  };
-  for (const path of imports.keys()) follow(path, []);
   expect(imports.size).toBeGreaterThan(100);
-  expect(circles).toEqual([]);
+  expect(circlesIn(imports)).toEqual([]);
 });
 
 test('the core includes itself, GLM and the standard library', () => {
@@ -70,6 +81,82 @@ test('the core includes itself, GLM and the standard library', () => {
     Array.from(readFileSync(path, 'utf8').matchAll(/#include (?:<(\w+)\/|"(\.\.))/g), ([line]) => `${path}: ${line}`),
   );
   expect(headers.filter((line) => !/<(glm|meshbound)\//.test(line))).toEqual([]);
+});
+
+test.each(sources('core/include', /\.hpp$/))('%s includes public headers only', (path) => {
+  const strangers = rooms.includesOf(path).filter((included) => !included.startsWith('core/include/'));
+  expect(strangers).toEqual([]);
+});
+
+test('the rooms of the core are those of the table, and none includes what it may not', () => {
+  const table = rooms.parse(tableUnder('The rooms of the core'));
+  const files = sources('core/src', /\.[ch]pp$/);
+  expect(files.length).toBeGreaterThan(100);
+  expect(rooms.withoutFiles(table, files)).toEqual([]);
+  expect(rooms.faults(table, new Map(files.map((path) => [path, rooms.includesOf(path)])))).toEqual([]);
+});
+
+test('no file of the core includes itself by way of others', () => {
+  const files = sources('core', /\.[ch]pp$/);
+  expect(circlesIn(new Map(files.map((path) => [path, rooms.includesOf(path)])))).toEqual([]);
+});
+
+describe('the check of rooms', () => {
+  const table = rooms.parse([
+    ['core/src/util', ''],
+    ['core/src/mesh', ' all above '],
+    ['core/src/errors', ' all above '],
+    ['core/src/errors/tracked', ' all above '],
+    ['core/src/verify', ' `core/src/mesh`, `core/src/util/indexing.hpp` '],
+  ]);
+  const faultsOf = (path: string, ...included: string[]) =>
+    rooms.faults(table, new Map([[path, included.map((name) => `core/src/${name}`)]]));
+
+  test('lets a file include its own room and what the table says', () => {
+    expect(faultsOf('core/src/util/team.cpp', 'util/team.hpp')).toEqual([]);
+    expect(faultsOf('core/src/errors/a.hpp', 'util/team.hpp', 'mesh/b.hpp')).toEqual([]);
+    expect(faultsOf('core/src/errors/tracked/a.hpp', 'errors/a.hpp', 'errors/tracked/b.hpp')).toEqual([]);
+    expect(faultsOf('core/src/verify/a.hpp', 'mesh/b.hpp', 'util/indexing.hpp')).toEqual([]);
+  });
+
+  test('finds an include that runs upward, also into a room within the own one', () => {
+    expect(faultsOf('core/src/util/team.hpp', 'mesh/b.hpp')).toEqual([
+      'core/src/util/team.hpp includes core/src/mesh/b.hpp',
+    ]);
+    expect(faultsOf('core/src/errors/a.hpp', 'errors/tracked/b.hpp')).toHaveLength(1);
+  });
+
+  test('finds a lower room that the table does not give', () => {
+    expect(faultsOf('core/src/verify/a.hpp', 'util/team.hpp', 'errors/a.hpp')).toHaveLength(2);
+  });
+
+  test('finds a file that is in no room, and a room without files', () => {
+    expect(faultsOf('core/src/stray.hpp')).toEqual(['core/src/stray.hpp is in no room']);
+    expect(
+      rooms.withoutFiles(table, ['core/src/util/team.hpp', 'core/src/mesh/b.hpp', 'core/src/errors/tracked/c.hpp']),
+    ).toEqual(['core/src/errors', 'core/src/verify']);
+  });
+
+  test('finds a table whose rooms are not in order', () => {
+    expect(() =>
+      rooms.parse([
+        ['core/src/mesh', ' `core/src/util` '],
+        ['core/src/util', ''],
+      ]),
+    ).toThrow(/core\/src\/util/);
+  });
+
+  test('follows circles', () => {
+    expect(
+      circlesIn(
+        new Map([
+          ['a', ['b']],
+          ['b', ['c']],
+          ['c', ['b']],
+        ]),
+      ),
+    ).toEqual(['b → c → b']);
+  });
 });
 
 test('the judge takes nothing of the core but the mesh', () => {

@@ -3,9 +3,10 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
 
-const documents = ['README.md', ...readdirSync('docs').map((name) => join('docs', name))].filter((path) =>
-  path.endsWith('.md'),
-);
+const folders = ['.', 'docs', 'examples'];
+const documents = folders
+  .flatMap((folder) => readdirSync(folder).map((name) => join(folder, name)))
+  .filter((path) => path.endsWith('.md'));
 
 function matches(path: string, pattern: RegExp): string[] {
   return Array.from(readFileSync(path, 'utf8').matchAll(pattern), ([, match]) => match);
@@ -18,7 +19,7 @@ test.each(documents)('%s links to files that are there', (path) => {
 });
 
 test.each(documents)('%s names files that are there', (path) => {
-  const named = matches(path, /`((?:\.ci|core|wasm|web|tests|workers)\/[\w./-]+)`/g);
+  const named = matches(path, /`((?:\.ci|scripts|core|wasm|web|tests|workers|examples)\/[\w./-]+)`/g);
   expect(named.filter((name) => !existsSync(name))).toEqual([]);
 });
 

@@ -148,7 +148,9 @@ Mesh jittered(const Mesh& mesh, double size, std::uint64_t seed) {
     std::size_t vertex = 0;
     return mapped(mesh, [&](glm::dvec3 p) {
         if (stays[vertex++]) return p;
-        return p + glm::dvec3(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
+        // One after the other: compilers evaluate the arguments of a call in orders of their own.
+        const double z = random.uniform(-size, size), y = random.uniform(-size, size), x = random.uniform(-size, size);
+        return p + glm::dvec3(x, y, z);
     });
 }
 

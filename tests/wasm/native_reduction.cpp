@@ -15,9 +15,9 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "hashes/result_arrays.hpp"
 #include "meshbound/meshbound.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
@@ -29,143 +29,24 @@ namespace {
 
 using namespace meshbound;
 
-std::string type_name(float) { return "Float32Array"; }
-std::string type_name(double) { return "Float64Array"; }
-std::string type_name(std::uint8_t) { return "Uint8Array"; }
-std::string type_name(std::uint32_t) { return "Uint32Array"; }
-std::string type_name(std::int32_t) { return "Int32Array"; }
-
-/// Writes arrays with their names.
-class LabelledArrays {
+/// Writes arrays with their names to a file.
+class ArrayFile final : public ResultArrays {
 public:
-    explicit LabelledArrays(const std::string& path) : file(path, std::ios::binary) {}
-
-    template <class T>
-    void write(const std::string& name, const T* values, std::size_t count) {
-        file << name << ' ' << type_name(T{}) << ' ' << count << '\n';
-        file.write(reinterpret_cast<const char*>(values), static_cast<std::streamsize>(count * sizeof(T)));
-    }
-
-    template <class T>
-    void write(const std::string& name, const std::vector<T>& values) {
-        write(name, values.data(), values.size());
-    }
-
-    void write(const std::string& name, const Values& values) {
-        std::visit([&](const auto& numbers) { write(name, numbers); }, values);
-    }
+    explicit ArrayFile(const std::string& path) : file_(path, std::ios::binary) {}
 
     void finish() {
-        if (!file.flush()) throw std::runtime_error("A file cannot be written.");
+        if (!file_.flush()) throw std::runtime_error("A file cannot be written.");
     }
 
 private:
-    std::ofstream file;
+    void take(const std::string& name, const char* type, std::size_t count, const void* bytes,
+              std::size_t size) override {
+        file_ << name << ' ' << type << ' ' << count << '\n';
+        file_.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size));
+    }
+
+    std::ofstream file_;
 };
-
-void write_triangles(LabelledArrays& arrays, const std::string& name, const std::vector<glm::uvec3>& triangles) {
-    arrays.write(name, triangles.empty() ? nullptr : &triangles.front().x, 3 * triangles.size());
-}
-
-void write_mesh(LabelledArrays& arrays, const Mesh& mesh) {
-    arrays.write("position", mesh.position.values);
-    write_triangles(arrays, "triangles", mesh.triangles);
-    for (const Variable& variable : mesh.variables) arrays.write("variable:" + variable.name, variable.values);
-    if (!mesh.regions.empty()) arrays.write("regions", mesh.regions);
-}
-
-void write_map(LabelledArrays& arrays, const SurfaceMap& map) {
-    std::vector<std::uint32_t> triangle, edges;
-    std::vector<double> barycentric, places;
-    std::vector<std::uint8_t> rightward;
-    for (const MapPlace& place : map.places) {
-        triangle.push_back(place.triangle);
-        for (int corner = 0; corner < 3; ++corner) barycentric.push_back(place.barycentric[corner]);
-    }
-    for (const MapCrossing& crossing : map.crossings) {
-        edges.insert(edges.end(), {crossing.original.x, crossing.original.y, crossing.reduced.x, crossing.reduced.y});
-        places.insert(places.end(), {crossing.s, crossing.t});
-        rightward.push_back(crossing.rightward ? 1 : 0);
-    }
-    arrays.write("map:triangle", triangle);
-    arrays.write("map:barycentric", barycentric);
-    arrays.write("map:crossingEdges", edges);
-    arrays.write("map:crossingPlaces", places);
-    arrays.write("map:crossingRightward", rightward);
-}
-
-void write_report(LabelledArrays& arrays, const Report& report) {
-    const auto number = [](std::size_t count) { return static_cast<double>(count); };
-    arrays.write<double>("report:counts", {number(report.triangles_before),
-                                           number(report.triangles_after),
-                                           number(report.vertices_before),
-                                           number(report.vertices_after),
-                                           number(report.candidates),
-                                           number(report.refused.non_manifold),
-                                           number(report.refused.locked),
-                                           number(report.refused.ring),
-                                           number(report.refused.topology),
-                                           number(report.refused.fold),
-                                           number(report.refused.piercing),
-                                           number(report.turned_before),
-                                           number(report.turned_after),
-                                           number(report.oddities.repeated_vertex_triangles),
-                                           number(report.oddities.zero_area_triangles),
-                                           number(report.oddities.unused_vertices),
-                                           number(report.non_manifold_vertices),
-                                           number(report.cells),
-                                           number(report.folded_cells),
-                                           number(report.dropped.parts),
-                                           number(report.dropped.triangles),
-                                           report.feature_size.value_or(0)});
-    std::vector<double> regions;
-    for (const RegionReport& region : report.regions)
-        regions.insert(regions.end(), {static_cast<double>(region.label), number(region.triangles_before),
-                                       number(region.triangles_after), region.area_before, region.area_after});
-    arrays.write("report:regions", regions);
-    for (const VariableReport& variable : report.variables)
-        arrays.write<double>("report:" + variable.name,
-                             {variable.bound.extent, variable.bound.magnitude, variable.bound.constant ? 1.0 : 0.0,
-                              variable.bound.absolute, variable.error, variable.ratio, number(variable.refused)});
-}
-
-void write_reduction(const std::string& path, const Reduction& reduction) {
-    LabelledArrays arrays(path);
-    write_mesh(arrays, reduction.mesh);
-    arrays.write("vertices", reduction.vertices);
-    for (std::size_t variable = 0; variable < reduction.triangle_errors.size(); ++variable) {
-        const std::string name = ":" + reduction.report.variables[variable].name;
-        const TriangleErrors& errors = reduction.triangle_errors[variable];
-        arrays.write("largest" + name, errors.largest);
-        arrays.write("lowest" + name, errors.lowest);
-        arrays.write("highest" + name, errors.highest);
-        arrays.write("ratio" + name, errors.ratio);
-    }
-    for (std::size_t variable = 0; variable < reduction.vertex_errors.size(); ++variable) {
-        const std::string name = ":" + reduction.report.variables[variable].name;
-        arrays.write("vertexError" + name, reduction.vertex_errors[variable].error);
-        arrays.write("vertexSignedError" + name, reduction.vertex_errors[variable].signed_error);
-    }
-    if (!reduction.map.places.empty()) write_map(arrays, reduction.map);
-    write_report(arrays, reduction.report);
-    arrays.finish();
-}
-
-void write_levels(const std::string& path, const Levels& levels) {
-    LabelledArrays arrays(path);
-    for (std::size_t i = 0; i < levels.levels.size(); ++i) {
-        const std::string name = std::to_string(i);
-        write_triangles(arrays, "level" + name, levels.levels[i].mesh.triangles);
-        arrays.write("vertices" + name, levels.levels[i].vertices);
-        const Morph& morph = levels.morphs[i];
-        write_triangles(arrays, "morph" + name, morph.triangles);
-        for (std::size_t v = 0; v < morph.finer.variables.size(); ++v) {
-            arrays.write("finer" + name + ":" + morph.finer.variables[v].name, morph.finer.variables[v].values);
-            arrays.write("coarser" + name + ":" + morph.coarser.variables[v].name, morph.coarser.variables[v].values);
-        }
-    }
-    arrays.finish();
-}
 
 struct Mode {
     std::string name;
@@ -228,9 +109,15 @@ Setting kept(const Mesh& mesh) {
 }
 
 void write_input(const std::string& path, const Mesh& mesh) {
-    LabelledArrays input(path + ".mesh");
-    write_mesh(input, mesh);
+    ArrayFile input(path + ".mesh");
+    input.mesh(mesh);
     input.finish();
+}
+
+void write_reduction(const std::string& path, const Reduction& reduction) {
+    ArrayFile file(path);
+    file.reduction(reduction);
+    file.finish();
 }
 
 void reduce_in_every_mode(const std::string& path, const Mesh& mesh, const Setting& setting) {
@@ -253,7 +140,9 @@ void reduce_to_levels(const std::string& path, const Mesh& mesh) {
     Levels levels;
     if (const Status status = reduce_levels(mesh, bounds, options, levels); !status.ok())
         throw std::runtime_error(path + ": " + status.message);
-    write_levels(path + ".levels", levels);
+    ArrayFile file(path + ".levels");
+    file.levels(levels);
+    file.finish();
 }
 
 void go_onward(const std::string& path, const Mesh& mesh) {

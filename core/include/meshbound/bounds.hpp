@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "meshbound/api.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/status.hpp"
 
@@ -56,6 +57,6 @@ inline constexpr double constant_extent = 1e-6;
 /// Bounds in the unit of each variable: position first, then the mesh's variables in their order.
 /// Faults: unknown_variable, bad_bound, bound_too_fine; non_finite_value, with the vertex, where a variable with a bound is NaN
 /// or infinite at a vertex that a triangle uses. The mesh must be valid (see validate).
-Status resolve_bounds(const Mesh& mesh, const Bounds& bounds, std::vector<ResolvedBound>& resolved);
+MESHBOUND_API Status resolve_bounds(const Mesh& mesh, const Bounds& bounds, std::vector<ResolvedBound>& resolved);
 
 } // namespace meshbound

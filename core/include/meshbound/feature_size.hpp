@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "meshbound/api.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/options.hpp"
 
@@ -18,6 +19,6 @@ namespace meshbound {
 ///
 /// Only sizes below `within` are looked for; nothing where there is none. The mesh is valid (see validate). A cancelled call
 /// finds nothing.
-std::optional<double> feature_size(const Mesh& mesh, double within, const Progress& progress = {});
+MESHBOUND_API std::optional<double> feature_size(const Mesh& mesh, double within, const Progress& progress = {});
 
 } // namespace meshbound

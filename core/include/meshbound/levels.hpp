@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "meshbound/api.hpp"
 #include "meshbound/bounds.hpp"
 #include "meshbound/level_link.hpp"
 #include "meshbound/mesh.hpp"
@@ -43,7 +44,7 @@ struct Levels {
 /// Faults: those of reduce; bad_levels, with the level (from 0) as index and the variable at fault. `levels` is then
 /// untouched. A cancelled call returns an ok status and the levels so far, the last one marked as cancelled and without a
 /// link or a morph to it.
-Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const LevelOptions& options, Levels& levels,
-                     const Progress& progress = {});
+MESHBOUND_API Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const LevelOptions& options,
+                                   Levels& levels, const Progress& progress = {});
 
 } // namespace meshbound

@@ -7,6 +7,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "meshbound/glm_layout.hpp"
+
 namespace meshbound {
 
 /// "In no triangle": the place of a vertex that no triangle of the input uses.

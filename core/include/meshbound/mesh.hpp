@@ -9,6 +9,9 @@
 
 #include <glm/vec3.hpp>
 
+#include "meshbound/api.hpp"
+#include "meshbound/glm_layout.hpp"
+
 namespace meshbound {
 
 /// Numbers in the precision they came in. Whatever comes in single precision goes out in single precision, bit for bit.
@@ -83,18 +86,18 @@ inline VariableView variable_of(const Mesh& mesh, std::size_t number) {
 }
 
 /// How many numbers a variable holds, over all vertices and components.
-std::size_t value_count(const VariableView& variable);
+MESHBOUND_API std::size_t value_count(const VariableView& variable);
 
 /// How many vertices a mesh has, used or not: a third of the number of its coordinates.
-std::size_t vertex_count(const Mesh& mesh);
+MESHBOUND_API std::size_t vertex_count(const Mesh& mesh);
 
 /// Component `component` of vertex `vertex`, widened to double (exact).
-double value_at(const VariableView& variable, std::size_t vertex, int component);
+MESHBOUND_API double value_at(const VariableView& variable, std::size_t vertex, int component);
 
 /// The same variable at the given vertices only, in their order, in the same precision, bit for bit.
-Variable gather(const Variable& variable, const std::vector<std::uint32_t>& vertices);
+MESHBOUND_API Variable gather(const Variable& variable, const std::vector<std::uint32_t>& vertices);
 
 /// The same of the geometry.
-Position gather(const Position& position, const std::vector<std::uint32_t>& vertices);
+MESHBOUND_API Position gather(const Position& position, const std::vector<std::uint32_t>& vertices);
 
 } // namespace meshbound

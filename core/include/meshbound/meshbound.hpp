@@ -17,4 +17,5 @@
 #include "meshbound/segmentation.hpp"
 #include "meshbound/status.hpp"
 #include "meshbound/validate.hpp"
+#include "meshbound/version.hpp"
 #include "meshbound/waypoint.hpp"

@@ -6,6 +6,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "meshbound/api.hpp"
+#include "meshbound/glm_layout.hpp"
 #include "meshbound/mapped_surfaces.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/options.hpp"
@@ -47,9 +49,9 @@ struct Morph {
 ///
 ///     make_morph({mesh, levels.levels[0]}, morph);                                               // from the original
 ///     make_morph({levels.levels[0].mesh, levels.levels[1].mesh, levels.links[0]}, morph);       // to the next level
-Status make_morph(const MappedSurfaces& surfaces, Morph& morph, const Progress& progress = {});
+MESHBOUND_API Status make_morph(const MappedSurfaces& surfaces, Morph& morph, const Progress& progress = {});
 
 /// The surface on its way, `share` 0…1: at 0 the triangles of the morph on the finer level, at 1 on the coarser one.
-Mesh morphed(const Morph& morph, double share);
+MESHBOUND_API Mesh morphed(const Morph& morph, double share);
 
 } // namespace meshbound

@@ -7,6 +7,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "meshbound/glm_layout.hpp"
+
 namespace meshbound {
 
 /// How errors are accounted for. Both keep the promise.

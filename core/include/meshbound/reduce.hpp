@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "meshbound/api.hpp"
 #include "meshbound/bounds.hpp"
 #include "meshbound/map.hpp"
 #include "meshbound/mesh.hpp"
@@ -55,7 +56,7 @@ struct Reduction {
 /// `waypoint`, where given, is filled with the surface before the last sweep, which lies within the share of the bounds of the
 /// sweep before that; Options::sweeps must have two sweeps at least. It changes nothing else, and takes a few percent of the
 /// time, for its errors are measured. A call that is cancelled before leaves it untouched.
-Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Reduction& reduction,
-              const Progress& progress = {}, Waypoint* waypoint = nullptr);
+MESHBOUND_API Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Reduction& reduction,
+                            const Progress& progress = {}, Waypoint* waypoint = nullptr);
 
 } // namespace meshbound

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshbound/api.hpp"
 #include "meshbound/bounds.hpp"
 #include "meshbound/options.hpp"
 #include "meshbound/reduce.hpp"
@@ -28,7 +29,7 @@ namespace meshbound {
 /// Faults: those of reduce; bad_waypoint, with the variable at fault: parts of the waypoint contradict each other, it has
 /// spent all that the bound of a variable allows, or it lacks a vertex that is to be locked (its index). `reduction` is then
 /// untouched. Cancelled calls are as those of reduce.
-Status reduce_onward(const Waypoint& waypoint, const Bounds& bounds, const Options& options, Reduction& reduction,
-                     const Progress& progress = {});
+MESHBOUND_API Status reduce_onward(const Waypoint& waypoint, const Bounds& bounds, const Options& options,
+                                   Reduction& reduction, const Progress& progress = {});
 
 } // namespace meshbound

@@ -6,6 +6,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "meshbound/api.hpp"
+#include "meshbound/glm_layout.hpp"
 #include "meshbound/mapped_surfaces.hpp"
 #include "meshbound/options.hpp"
 #include "meshbound/status.hpp"
@@ -61,12 +63,14 @@ inline constexpr double flat_share = 1e-12;
 /// is then untouched.
 ///
 ///     segment({mesh, reduction}, segmentation);
-Status segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress = {});
+MESHBOUND_API Status segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress = {});
 
 /// Barycentric coordinates of a corner of the cell in the cell's original triangle.
-glm::dvec3 place_in_original(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner);
+MESHBOUND_API glm::dvec3 place_in_original(const MappedSurfaces& surfaces, const SegmentationCell& cell,
+                                           std::uint32_t corner);
 
 /// Barycentric coordinates of a corner of the cell in the cell's reduced triangle.
-glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner);
+MESHBOUND_API glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCell& cell,
+                                          std::uint32_t corner);
 
 } // namespace meshbound

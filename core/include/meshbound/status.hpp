@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "meshbound/api.hpp"
+
 namespace meshbound {
 
 /// What can be wrong with the input of a call. One value a fault, so that a caller can act on it.
@@ -31,7 +33,7 @@ enum class Fault {
 };
 
 /// The name of a fault as written above: "bad_index". Stable, meant for programs.
-std::string_view fault_name(Fault fault);
+MESHBOUND_API std::string_view fault_name(Fault fault);
 
 /// The outcome of a call: fine, or a fault with a sentence that says what is wrong and where.
 struct Status {

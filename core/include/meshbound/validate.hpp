@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "meshbound/api.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/status.hpp"
 
@@ -26,10 +27,10 @@ struct Oddities {
 /// Whether a mesh can be reduced: shapes of all arrays, indices, names, finite coordinates where triangles are. The first fault
 /// found is returned, with its place. Other variables may hold NaN and infinity: then they can have no bound (see
 /// resolve_bounds). `oddities`, where given, is filled for a valid mesh.
-Status validate(const Mesh& mesh, Oddities* oddities = nullptr);
+MESHBOUND_API Status validate(const Mesh& mesh, Oddities* oddities = nullptr);
 
 /// Fills in what `validate` does not look at, because `reduce` finds it out anyway: which triangles of a valid mesh face the
 /// wrong side, and which are on the same three vertices.
-void find_turned(const Mesh& mesh, Oddities& oddities);
+MESHBOUND_API void find_turned(const Mesh& mesh, Oddities& oddities);
 
 } // namespace meshbound

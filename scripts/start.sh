@@ -3,6 +3,6 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-.ci/setup.sh start
-.ci/build.sh
+scripts/setup.sh start
+scripts/build.sh
 exec node_modules/.bin/vite preview --config web/vite.config.ts "$@"

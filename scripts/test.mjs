@@ -15,16 +15,20 @@ const vitestFile = `${results}/vitest.json`;
 const playwrightFile = `${results}/playwright.json`;
 
 const steps = [
-  { name: 'setup', command: ['.ci/setup.sh', 'test'], essential: true },
-  { name: 'build', command: ['.ci/build.sh'] },
+  { name: 'setup', command: ['scripts/setup.sh', 'test'], essential: true },
+  { name: 'build', command: ['scripts/build.sh'] },
   { name: 'native build', command: ['bash', '-c', 'cmake --preset native && cmake --build --preset native'] },
+  { name: 'build by Clang', command: ['bash', '-c', 'cmake --preset clang && cmake --build --preset clang'] },
+  ...(process.arch === 'x64'
+    ? [{ name: 'build for arm64', command: ['bash', '-c', 'cmake --preset arm64 && cmake --build --preset arm64'] }]
+    : []),
   {
     name: 'core (ctest)',
     command: ['ctest', '--preset', 'native', '--no-tests=error', '-j', '2', '--output-junit', ctestFile],
     count: countCtest,
   },
   { name: 'fuzzer build', command: ['bash', '-c', 'cmake --preset fuzz && cmake --build --preset fuzz'] },
-  { name: 'core (fuzzer)', command: ['.ci/fuzz.sh', '60'] },
+  { name: 'core (fuzzer)', command: ['scripts/fuzz.sh', '60'] },
   {
     name: 'module (Vitest)',
     command: [`${bin}vitest`, 'run', '--reporter=default', '--reporter=json', `--outputFile.json=${vitestFile}`],
@@ -37,7 +41,7 @@ const steps = [
     count: countPlaywright,
   },
   { name: 'types (tsc)', command: [`${bin}tsc`, '--noEmit'] },
-  { name: 'lint', command: ['.ci/lint.sh'] },
+  { name: 'lint', command: ['scripts/lint.sh'] },
 ];
 
 function readJson(file) {

@@ -9,7 +9,7 @@ echo "lint: Biome"
 node_modules/.bin/biome ci . || status=1
 
 echo "lint: clang-format"
-mapfile -t cpp < <(find core tests wasm web -name '*.cpp' -o -name '*.hpp')
+mapfile -t cpp < <(find core examples tests wasm web -name '*.cpp' -o -name '*.hpp')
 clang-format --dry-run --Werror "${cpp[@]}" || status=1
 
 echo "lint: clang-tidy"

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-.ci/setup.sh api
+scripts/setup.sh api
 rm -rf build/api
 mkdir -p build/api
 
@@ -15,6 +15,9 @@ INPUT = core/include/meshbound docs/cpp.md
 USE_MDFILE_AS_MAINPAGE = docs/cpp.md
 STRIP_FROM_INC_PATH = core/include
 EXTRACT_ALL = YES
+MACRO_EXPANSION = YES
+EXPAND_ONLY_PREDEF = YES
+PREDEFINED = MESHBOUND_API=
 JAVADOC_AUTOBRIEF = YES
 GENERATE_LATEX = NO
 HAVE_DOT = NO

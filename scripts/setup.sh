@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, and nothing else, so that running it again costs nothing:
 #
-#     .ci/setup.sh [start|test|bench|api]
+#     scripts/setup.sh [start|test|bench|api]
 #
 # start: what building and serving the page needs. test (the default): what the tests and linters need as well. bench: what
 # the benchmark needs. api: what makes the pages of headers and types.
@@ -10,12 +10,18 @@ cd "$(dirname "$0")/.."
 
 to_start=(g++ cmake ninja-build libglm-dev emscripten)
 to_test=(libgtest-dev libgmock-dev libcgal-dev chromium clang libclang-rt-dev clang-format clang-tidy python3-vtk9
-    python3-numpy valgrind)
+    python3-numpy valgrind pkgconf)
+to_emulate=(g++-aarch64-linux-gnu qemu-user) # what the results on 64-bit Arm are compared by
 to_bench=(libbenchmark-dev python3-vtk9 python3-numpy)
 
 packages=("${to_start[@]}")
 case "${1:-test}" in
-    test) packages+=("${to_test[@]}") ;;
+    test)
+        packages+=("${to_test[@]}")
+        if [ "$(uname -m)" = x86_64 ]; then
+            packages+=("${to_emulate[@]}")
+        fi
+        ;;
     bench) packages+=("${to_bench[@]}") ;;
     api) packages=(doxygen) ;;
 esac
@@ -82,7 +88,7 @@ else
     check_tools
 fi
 
-if ! node .ci/node-modules-fresh.mjs; then
+if ! node scripts/node-modules-fresh.mjs; then
     echo "setup: installing npm packages"
     npm ci --no-audit --no-fund
 fi

@@ -3,6 +3,6 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-.ci/setup.sh test
-.ci/build.sh
+scripts/setup.sh test
+scripts/build.sh
 exec node_modules/.bin/tsx tests/evaluation/evaluate.ts

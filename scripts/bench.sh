@@ -3,5 +3,5 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-.ci/setup.sh bench
+scripts/setup.sh bench
 exec node_modules/.bin/tsx tests/bench/bench.ts "$@"
