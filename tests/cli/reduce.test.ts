@@ -675,3 +675,48 @@ test('says why little went where it is not the bounds', async () => {
   const bounded = await folder.run('reduce', ...files, '-b', 'position=0.0001%', '-b', '*=0.0001%');
   expect(bounded.stdout).not.toContain('Why so little');
 });
+
+test('a variable that is no number somewhere: with a bound both ways out are named, without one it goes through', async () => {
+  const [pressure, ...others] = original.variables;
+  const holed = { ...pressure, values: pressure.values.with(3, Number.NaN) };
+  await folder.save('holed.vtp', { ...original, variables: [holed, ...others] });
+  const run = (...args: string[]) =>
+    folder.run('reduce', 'holed.vtp', '-o', 'out.vtp', '--report', 'holed.json', ...args);
+  const refused = await run(...all);
+  expect(refused.status).not.toBe(0);
+  expect(refused.stderr).toMatch(
+    /“pressure” is not a number at vertex 3.*--bound "pressure=free".*--exclude "pressure"/s,
+  );
+  const free = await run(...all, '-b', 'pressure=free');
+  expect(free.status).toBe(0);
+  expect(free.stdout).toMatch(/pressure.*not known/);
+  const { variables } = JSON.parse(folder.text('holed.json'));
+  expect(variables[1]).toMatchObject({
+    name: 'pressure',
+    error: null,
+    bound: null,
+    nonFinite: { vertices: 1, first: 3 },
+  });
+  expect((await run(...all, '--exclude', 'pressure')).status).toBe(0);
+});
+
+test('points that no triangle uses count for nothing, and are counted', async () => {
+  const far = Float64Array.from([...original.position, 0, 0, 1e9, Number.NaN, 0, 0]);
+  const longer = original.variables.map((variable) => {
+    const more = new Float64Array(variable.values.length + 2 * variable.components).fill(1e30);
+    more.set(variable.values);
+    return { ...variable, values: more };
+  });
+  await folder.save('stray.vtp', { ...original, position: far, variables: longer });
+  const files = ['-o', 'stray-out.vtp', '--report', 'stray.json'];
+  const strayed = await folder.run('reduce', 'stray.vtp', ...files, ...all);
+  expect(strayed.stderr).toContain('2 vertices belong to no triangle: left out of the result.');
+  const { report } = await reduce(...all);
+  const found = JSON.parse(folder.text('stray.json'));
+  expect(found.triangles).toEqual(report.triangles);
+  expect(boundsIn(found)).toEqual(boundsIn(report));
+  const verified = await folder.run('verify', 'stray.vtp', 'stray-out.vtp', ...all);
+  expect(verified).toMatchObject({ status: 0 });
+  expect(verified.stderr).toContain('2 vertices belong to no triangle');
+  expect((await folder.run('inspect', 'stray.vtp')).stdout).toMatch(/that no triangle uses +2\n/);
+});

@@ -69,7 +69,7 @@ test('a bound that is shown in its unit and back is the one that was typed', asy
 
 test('levels that a morph needed go with it, and those that were asked for stay', async ({ page }) => {
   await openPage(page);
-  const view = page.getByLabel('View', { exact: true });
+  const view = page.getByLabel('View');
   const levels = page.getByLabel('Levels of detail');
   await view.selectOption('morph');
   await expect(levels.first()).toHaveValue('4');
@@ -89,7 +89,7 @@ test('a link to a file of the user’s is not offered', async ({ page }) => {
 
 test('in a wipe each half has a legend of its own, where they show errors differently', async ({ page }) => {
   await openPage(page);
-  await page.getByLabel('View', { exact: true }).selectOption('wipe');
+  await page.getByLabel('View').selectOption('wipe');
   await expect(page.locator('meshbound-legend:visible')).toHaveCount(1);
   await page.getByLabel('Show').selectOption({ label: 'error / bound' });
   await expect(page.locator('#original meshbound-legend')).toContainText('true error at each vertex');

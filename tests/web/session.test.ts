@@ -116,22 +116,25 @@ describe('opening', () => {
     expect(session.state.opening).toBeNull();
   });
 
-  test('offers to leave out a variable that is no number', async () => {
-    const fault = Object.assign(new Error('“pressure” is NaN at vertex 1.'), {
-      code: 'non_finite_value',
-      variable: 'pressure',
-    });
-    const { session } = setUp({
+  test('says which variable is no number somewhere, which begins without a bound, and offers to leave it out', async () => {
+    const nonFinite = { vertices: 2, first: 1 };
+    const { session, runs } = setUp({
       inspect: async (mesh) => {
-        if (mesh.variables.some(({ name }) => name === 'pressure')) throw fault;
-        return inspect(mesh);
+        const inspection = await inspect(mesh);
+        const variables = inspection.variables.map((each) =>
+          each.name === 'pressure' ? { ...each, nonFinite } : each,
+        );
+        return { ...inspection, variables };
       },
     });
     await session.openFile(file('a.ply'));
-    expect(session.state.surface).toBeNull();
-    const [notice] = session.state.notices;
-    expect(notice.remedy?.label).toContain('pressure');
-    notice.remedy?.take();
+    expect(runs[0].options.bounds).toMatchObject({ pressure: 'free' });
+    const notice = session.state.notices.find(({ remedy }) => remedy);
+    expect(notice?.kind).toBe('note');
+    expect(notice?.text).toBe(
+      '“pressure” holds values that are no numbers (at 2 points, the first of them 1, counted from 0): it has no bound, and is carried along as it is.',
+    );
+    notice?.remedy?.take();
     await settled();
     expect(session.state.surface?.mesh.variables).toEqual([]);
     expect(texts(session)).toContain('The variable “pressure” was left out.');

@@ -47,7 +47,7 @@ describe('normals for smooth shading', () => {
 
 describe('a surface as it is drawn', () => {
   const position = new Float64Array([1e7, 0, 0, 1e7 + 2, 0, 0, 1e7, 2, 0]);
-  const frame = frameOf(position);
+  const frame = frameOf(position, Uint32Array.of(0, 1, 2));
 
   test('fills the frame around the origin', () => {
     expect(frame.centre).toEqual([1e7 + 1, 1, 0]);
@@ -60,5 +60,13 @@ describe('a surface as it is drawn', () => {
     expect(edge).toBeCloseTo(Math.SQRT2, 6);
   });
 
-  test('a surface of a single place has a frame too', () => expect(frameOf(new Float32Array(9)).radius).toBe(1));
+  test('a surface of a single place has a frame too', () =>
+    expect(frameOf(new Float32Array(9), Uint32Array.of(0, 1, 2)).radius).toBe(1));
+
+  test('points that no triangle uses have no part in it', () => {
+    const position = new Float64Array([1, 1, 0, 3, 1, 0, 3, 3, 0, 1e9, 0, 0, Number.NaN, 0, 0]);
+    const frame = frameOf(position, Uint32Array.of(0, 1, 2));
+    expect(frame.centre).toEqual([2, 2, 0]);
+    expect(frame.radius).toBeCloseTo(Math.SQRT2, 12);
+  });
 });

@@ -41,5 +41,7 @@ export function faultOf(file: string, error: unknown): unknown {
 function advice(error: FormatError | MeshboundError): string {
   const inTheWay = error.code === 'not_finite' || error.code === 'non_finite_value';
   const name = error instanceof FormatError ? error.where : error.variable;
-  return inTheWay && name !== 'position' ? ` To leave the variable out: --exclude "${name}".` : '';
+  if (!inTheWay || name === undefined || name === 'position') return '';
+  const free = error instanceof MeshboundError ? ` To carry it along without a bound: --bound "${name}=free".` : '';
+  return `${free} To leave the variable out: --exclude "${name}".`;
 }

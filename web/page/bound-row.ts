@@ -158,12 +158,16 @@ export class BoundRow extends LitElement {
   }
 
   #constant() {
+    if (this.variable.kind === 'identifier') {
+      return html`<span title=${pageEnglish.bounds.identifierHint}>${pageEnglish.bounds.identifier}</span>`;
+    }
     if (!this.variable.constant) return nothing;
     return html`<span title=${pageEnglish.bounds.constantHint}>${pageEnglish.bounds.constant}</span>`;
   }
 
   #reached() {
     if (!this.reached) return nothing;
+    if (Number.isNaN(this.reached.error)) return html`<span class="soft">${pageEnglish.bounds.errorUnknown}</span>`;
     const { shownWith } = this;
     const other = shownWith
       ? html`<span class="other">${pageEnglish.bounds.shownWith(this.#text(shownWith))}</span> `

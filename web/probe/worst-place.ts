@@ -108,7 +108,7 @@ function largestOf(count: number, numberOf: (index: number) => number): number {
   let largest = -Infinity;
   for (let index = 0; index < count; index++) {
     const number = numberOf(index);
-    if (number <= largest) continue;
+    if (!(number > largest)) continue; // not a number: not known
     largest = number;
     best = index;
   }

@@ -1,4 +1,5 @@
-import type { Report } from '../../wasm/types.ts';
+import type { NonFinite, Report } from '../../wasm/types.ts';
+import { quoted } from '../formats/wording.ts';
 
 /** A sentence for each kind of oddity that a valid surface has. */
 export function oddityNotes({
@@ -40,6 +41,12 @@ export function oddityNotes({
     );
   }
   return notes;
+}
+
+/** A sentence on a variable that is NaN or infinite somewhere. */
+export function nonFiniteNote(name: string, { vertices, first }: NonFinite): string {
+  const where = vertices === 1 ? `at point ${first}` : `at ${vertices} points, the first of them ${first}`;
+  return `${quoted(name)} holds values that are no numbers (${where}, counted from 0): it has no bound, and is carried along as it is.`;
 }
 
 /** A sentence on points of no surface; none where there are none. */

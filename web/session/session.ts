@@ -3,13 +3,13 @@ import { choosableRegionNotes } from '../formats/region-notes.ts';
 import { listed } from '../formats/wording.ts';
 import { type BoundSetting, type BoundSettings, defaultBounds, moveAll, settingsFrom } from './bound-setting.ts';
 import type { Bounds } from './bound-text.ts';
-import { codeOf, messageOf, nonFiniteVariable } from './failure.ts';
+import { codeOf, messageOf } from './failure.ts';
 import { changed, type History, historyOf, redone, settled, undone } from './history.ts';
 import { type Keeping, sameKeeping } from './keeping.ts';
 import { Latest, superseded } from './latest.ts';
 import { fromAddress, fromFile, type Loadable, withoutVariable } from './loadable.ts';
 import { type Method, sameMethod } from './method.ts';
-import { oddityNotes } from './oddity-notes.ts';
+import { nonFiniteNote, oddityNotes } from './oddity-notes.ts';
 import type { Source } from './open-surface.ts';
 import type { OpenedFile } from './read.ts';
 import { type Asking, Reducing } from './reducing.ts';
@@ -215,7 +215,7 @@ export class Session extends EventTarget {
       if (inspected !== superseded) this.#adopt(source, inspected.file, inspected.inspection);
     } catch (error) {
       this.#stay();
-      this.#refuse(source, file, error);
+      this.#notify({ kind: 'error', code: codeOf(error), text: `${source.name}: ${messageOf(error)}` });
     }
   }
 
@@ -226,11 +226,9 @@ export class Session extends EventTarget {
     if (reduced && !sameKeeping(reduced.keeping, keeping)) this.reduceAgain();
   }
 
-  #adopt(
-    { name, address }: Source,
-    { mesh, labels, notes, locked, regions }: OpenedFile,
-    { variables, oddities }: Inspection,
-  ): void {
+  #adopt(source: Source, file: OpenedFile, { variables, oddities }: Inspection): void {
+    const { name, address } = source;
+    const { mesh, labels, notes, locked, regions } = file;
     this.#reducing.forget();
     this.#mend(namesOfBounds);
     const surface = { name, address, mesh, labels, variables, locked, regions };
@@ -248,6 +246,7 @@ export class Session extends EventTarget {
       provisional: null,
     });
     for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
+    for (const variable of variables) this.#tellOfNonFinite(source, file, variable);
     const choosable = choosableRegionNotes(regions, this.#state.keeping.regions);
     for (const text of choosable) this.#notify({ kind: 'note', text, ofRegions: true });
     if (this.#faults.size === 0) void this.#reducing.start();
@@ -262,17 +261,12 @@ export class Session extends EventTarget {
     return settingsFrom(this.#wanted, variables);
   }
 
-  /** Says why a file was not opened. A variable that holds no numbers need not stop the rest: leaving it out is offered. */
-  #refuse(source: Source, file: OpenedFile | undefined, error: unknown): void {
-    const text = `${source.name}: ${messageOf(error)}`;
-    const variable = nonFiniteVariable(error);
-    const code = codeOf(error);
-    if (!file || variable === undefined) {
-      this.#notify({ kind: 'error', code, text });
-      return;
-    }
-    const take = () => void this.#open(withoutVariable(source, file, variable));
-    this.#notify({ kind: 'error', code, text, remedy: { label: `Leave out “${variable}”`, take } });
+  /** A variable that holds no numbers somewhere begins without a bound, since it can have none. Leaving it out is offered. */
+  #tellOfNonFinite(source: Source, file: OpenedFile, { name, nonFinite }: VariableExtent): void {
+    if (!nonFinite) return;
+    const take = () => void this.#open(withoutVariable(source, file, name));
+    const remedy = { label: `Leave out “${name}”`, take };
+    this.#notify({ kind: 'note', text: nonFiniteNote(name, nonFinite), remedy });
   }
 
   /** @param of what is changed: in a row, changes of one thing are one step to undo */
