@@ -116,25 +116,56 @@ describe('opening', () => {
     expect(session.state.opening).toBeNull();
   });
 
-  test('offers to leave out a variable that is no number', async () => {
-    const fault = Object.assign(new Error('“pressure” is NaN at vertex 1.'), {
-      code: 'non_finite_value',
-      variable: 'pressure',
+  describe('a variable that is no number somewhere', () => {
+    const nonFinite = { vertices: 2, first: 1 };
+    const withHoles: Services['inspect'] = async (mesh) => {
+      const { variables, ...rest } = await inspect(mesh);
+      return { ...rest, variables: variables.map((each) => (each.name === 'sst' ? { ...each, nonFinite } : each)) };
+    };
+    const read: Services['read'] = async () => fileWith(meshWith('sst', 'pressure'));
+
+    async function opened() {
+      const { session, runs } = setUp({ inspect: withHoles, read });
+      await session.openFile(file('a.ply'));
+      const notices = session.state.notices.filter(({ text }) => text.includes('“sst”'));
+      return { session, runs, notices };
+    }
+
+    test('starts free, which one note says, with what may be done', async () => {
+      const { session, runs, notices } = await opened();
+      expect(runs[0].options.bounds).toMatchObject({ sst: 'free', pressure: { relative: 0.03 } });
+      expect(notices).toMatchObject([{ kind: 'note', remedy: { label: 'Leave out “sst”' } }]);
+      expect(notices[0].text).toContain('holds NaN or infinity (at 2 points, the first of which is 1)');
+      expect(texts(session).join()).not.toContain('“pressure”');
     });
-    const { session } = setUp({
-      inspect: async (mesh) => {
-        if (mesh.variables.some(({ name }) => name === 'pressure')) throw fault;
-        return inspect(mesh);
-      },
+
+    test('can be left out', async () => {
+      const { session, notices } = await opened();
+      notices[0].remedy?.take();
+      await settled();
+      expect(session.state.surface?.mesh.variables.map(({ name }) => name)).toEqual(['pressure']);
+      expect(texts(session)).toContain('The variable “sst” was left out.');
+      expect(texts(session).join()).not.toContain('NaN');
     });
-    await session.openFile(file('a.ply'));
-    expect(session.state.surface).toBeNull();
-    const [notice] = session.state.notices;
-    expect(notice.remedy?.label).toContain('pressure');
-    notice.remedy?.take();
-    await settled();
-    expect(session.state.surface?.mesh.variables).toEqual([]);
-    expect(texts(session)).toContain('The variable “pressure” was left out.');
+
+    test('is refused by the core where it gets a bound, which is said; without it, all is well again', async () => {
+      const { session, runs } = await opened();
+      runs[0].finish();
+      await settled();
+      const refusal = Object.assign(new Error('“sst” can have no bound.'), { code: 'non_finite_value' });
+      session.setBound('sst', { fraction: 0.1, free: false });
+      runs[1].fail(refusal);
+      await settled();
+      expect(session.state).toMatchObject({
+        refusal: '“sst” can have no bound.',
+        reduced: { bounds: { sst: { free: true } } },
+      });
+      session.setBound('sst', { fraction: 0.1, free: true });
+      runs[2].finish();
+      await settled();
+      expect(standingOf(session.state)).toBe('asked');
+      expect(texts(session)).not.toContain('“sst” can have no bound.');
+    });
   });
 });
 

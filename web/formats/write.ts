@@ -187,7 +187,9 @@ function pointLosses(format: Format, mesh: Mesh): string[] {
 function requireFinite(format: Format, variables: Variable[], written: Uint8Array): void {
   for (const { name, components, values } of variables) {
     const isHeld = (value: number) => Number.isFinite(Math.fround(value));
-    const wrong = values.find((value: number, i: number) => written[Math.floor(i / components)] && !isHeld(value));
+    const wrong = values.find(
+      (value: number, i: number) => written[Math.floor(i / components)] === 1 && !isHeld(value),
+    );
     if (wrong === undefined) continue;
     const fault = Number.isFinite(wrong) ? 'which is beyond single precision' : 'which is not finite';
     const message = `${formatNames[format]} cannot hold the value ${wrong} of ${quoted(name)}, ${fault}.`;

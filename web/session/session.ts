@@ -1,15 +1,15 @@
 import type { Inspection, VariableExtent } from '../../wasm/index.ts';
 import { choosableRegionNotes } from '../formats/region-notes.ts';
-import { listed } from '../formats/wording.ts';
+import { listed, quoted } from '../formats/wording.ts';
 import { type BoundSetting, type BoundSettings, defaultBounds, moveAll, settingsFrom } from './bound-setting.ts';
 import type { Bounds } from './bound-text.ts';
-import { codeOf, messageOf, nonFiniteVariable } from './failure.ts';
+import { codeOf, messageOf } from './failure.ts';
 import { changed, type History, historyOf, redone, settled, undone } from './history.ts';
 import { type Keeping, sameKeeping } from './keeping.ts';
 import { Latest, superseded } from './latest.ts';
 import { fromAddress, fromFile, type Loadable, withoutVariable } from './loadable.ts';
 import { type Method, sameMethod } from './method.ts';
-import { oddityNotes } from './oddity-notes.ts';
+import { nonFiniteWords, oddityNotes } from './oddity-notes.ts';
 import type { Source } from './open-surface.ts';
 import type { OpenedFile } from './read.ts';
 import { type Asking, Reducing } from './reducing.ts';
@@ -204,10 +204,9 @@ export class Session extends EventTarget {
     const tell = (step: Omit<Opening, 'name'>) => this.#update({ opening: { name, ...step } });
     const notices = this.#state.notices.filter(({ lasting }) => lasting);
     this.#update({ opening: { name, phase: 'read', progress: 0 }, notices });
-    let file: OpenedFile | undefined;
     try {
       const inspected = await this.#opening.run(async (signal) => {
-        file = await source.load(this.#services, signal, tell);
+        const file = await source.load(this.#services, signal, tell);
         signal.throwIfAborted();
         tell({ phase: 'check', progress: 0 });
         return { file, inspection: await this.#services.inspect(file.mesh, { signal }) };
@@ -215,7 +214,7 @@ export class Session extends EventTarget {
       if (inspected !== superseded) this.#adopt(source, inspected.file, inspected.inspection);
     } catch (error) {
       this.#stay();
-      this.#refuse(source, file, error);
+      this.#notify({ kind: 'error', code: codeOf(error), text: `${source.name}: ${messageOf(error)}` });
     }
   }
 
@@ -226,11 +225,9 @@ export class Session extends EventTarget {
     if (reduced && !sameKeeping(reduced.keeping, keeping)) this.reduceAgain();
   }
 
-  #adopt(
-    { name, address }: Source,
-    { mesh, labels, notes, locked, regions }: OpenedFile,
-    { variables, oddities }: Inspection,
-  ): void {
+  #adopt(source: Source, file: OpenedFile, { variables, oddities }: Inspection): void {
+    const { name, address } = source;
+    const { mesh, labels, notes, locked, regions } = file;
     this.#reducing.forget();
     this.#mend(namesOfBounds);
     const surface = { name, address, mesh, labels, variables, locked, regions };
@@ -248,6 +245,7 @@ export class Session extends EventTarget {
       provisional: null,
     });
     for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
+    this.#noteNonFinite(source, file, variables);
     const choosable = choosableRegionNotes(regions, this.#state.keeping.regions);
     for (const text of choosable) this.#notify({ kind: 'note', text, ofRegions: true });
     if (this.#faults.size === 0) void this.#reducing.start();
@@ -262,17 +260,14 @@ export class Session extends EventTarget {
     return settingsFrom(this.#wanted, variables);
   }
 
-  /** Says why a file was not opened. A variable that holds no numbers need not stop the rest: leaving it out is offered. */
-  #refuse(source: Source, file: OpenedFile | undefined, error: unknown): void {
-    const text = `${source.name}: ${messageOf(error)}`;
-    const variable = nonFiniteVariable(error);
-    const code = codeOf(error);
-    if (!file || variable === undefined) {
-      this.#notify({ kind: 'error', code, text });
-      return;
+  /** A variable that can have no bound is free, and may be left out. */
+  #noteNonFinite(source: Source, file: OpenedFile, variables: VariableExtent[]): void {
+    for (const { name, nonFinite } of variables) {
+      if (!nonFinite) continue;
+      const text = `${nonFiniteWords(name, nonFinite)}: it can have no bound, and is only carried along.`;
+      const take = () => void this.#open(withoutVariable(source, file, name));
+      this.#notify({ kind: 'note', text, remedy: { label: `Leave out ${quoted(name)}`, take } });
     }
-    const take = () => void this.#open(withoutVariable(source, file, variable));
-    this.#notify({ kind: 'error', code, text, remedy: { label: `Leave out “${variable}”`, take } });
   }
 
   /** @param of what is changed: in a row, changes of one thing are one step to undo */
