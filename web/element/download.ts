@@ -5,7 +5,7 @@ import type { Format } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import { lossesOf, writeLevels, writeSurface } from '../formats/write.ts';
 import { asBounds } from '../session/bound-setting.ts';
-import { requireKept } from '../session/bounds-for-file.ts';
+import { leastMultiplier, requireKept } from '../session/bounds-for-file.ts';
 import type { OpenSurface } from '../session/open-surface.ts';
 import { pointsText } from '../session/point-list.ts';
 import { reportJson } from '../session/report-json.ts';
@@ -38,7 +38,7 @@ export async function savedFile(
     return { name: savedFileName(surface.name, 'report', 'json'), content: reportOf(reduced), losses: [] };
   }
   const labels = { ...surface.labels, regionName: reduced.keeping.regions ?? undefined };
-  requireKept(kind, mesh, reduced.result.report, leastMultiplier(surface, reduced));
+  requireKept(kind, mesh, reduced.result.report, leastOf(surface, reduced));
   const content = await writeSurface(kind, mesh, labels);
   return {
     name: savedFileName(surface.name, 'reduced', kind),
@@ -48,11 +48,8 @@ export async function savedFile(
 }
 
 /** What multiplies the bounds at the least: by a variable, near a place, or both. */
-function leastMultiplier({ mesh }: OpenSurface, { keeping: { focus, focusPoint } }: Reduced): number {
-  const values = mesh.variables.find(({ name }) => name === focus)?.values ?? [];
-  let lowest = values.length > 0 ? Number.POSITIVE_INFINITY : 1;
-  for (const value of values) lowest = Math.min(lowest, value);
-  return lowest * Math.min(1, focusPoint?.factor ?? 1);
+function leastOf({ mesh }: OpenSurface, { keeping: { focus, focusPoint } }: Reduced): number {
+  return leastMultiplier(mesh, focus) * Math.min(1, focusPoint?.factor ?? 1);
 }
 
 function reportOf({ result, bounds, method, keeping }: Reduced): string {
@@ -67,7 +64,7 @@ function reportOf({ result, bounds, method, keeping }: Reduced): string {
 async function levelsFile(surface: OpenSurface, reduced: Reduced, levels: Levels | null): Promise<Saved> {
   const { name, labels } = surface;
   if (!levels) throw new Error(english.faults.noLevels);
-  for (const { mesh, report } of levels.levels) requireKept('glb', mesh, report, leastMultiplier(surface, reduced));
+  for (const { mesh, report } of levels.levels) requireKept('glb', mesh, report, leastOf(surface, reduced));
   const content = await writeLevels(levels, labels);
   const losses = await lossesOf('glb', levels.levels[0].mesh, labels);
   return { name: savedFileName(name, 'levels', 'glb'), content, losses };
