@@ -1,6 +1,6 @@
 // Angles without libm, against libm.
 
-#include "angle.hpp"
+#include "geometry/angle.hpp"
 
 #include <cmath>
 

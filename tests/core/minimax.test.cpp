@@ -1,6 +1,6 @@
 // Lawson's algorithm finds places whose largest ratio is close to the least, against a fine grid.
 
-#include "minimax.hpp"
+#include "metric/minimax.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "joint_space.hpp"
+#include "metric/joint_space.hpp"
 #include "meshbound/bounds.hpp"
 #include "meshes/random.hpp"
 

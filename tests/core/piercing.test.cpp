@@ -16,7 +16,7 @@
 #include "modes.hpp"
 #include "promise.hpp"
 #include "self_intersection/self_intersections.hpp"
-#include "triangle_contact.hpp"
+#include "geometry/triangle_contact.hpp"
 
 namespace {
 

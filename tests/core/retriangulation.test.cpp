@@ -1,6 +1,6 @@
 // The dynamic programme finds the cheapest legal triangulation of a hole: against all of them.
 
-#include "retriangulation.hpp"
+#include "retriangulation/retriangulation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "layout.hpp"
+#include "retriangulation/layout.hpp"
 #include "meshbound/bounds.hpp"
 #include "meshes/random.hpp"
 

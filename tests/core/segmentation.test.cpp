@@ -20,10 +20,10 @@
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
-#include "orientation.hpp"
+#include "mesh/orientation.hpp"
 #include "promise.hpp"
 #include "samples.hpp"
-#include "segmentation_cutting.hpp"
+#include "segmentation/segmentation_cutting.hpp"
 
 namespace {
 

@@ -16,9 +16,9 @@
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "patches.hpp"
+#include "reduction/patches.hpp"
 #include "promise.hpp"
-#include "team.hpp"
+#include "util/team.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The tree of boxes finds what looking at every box finds, also after many of them have changed.
 
-#include "triangle_tree.hpp"
+#include "geometry/triangle_tree.hpp"
 
 #include <set>
 #include <vector>
