@@ -4,7 +4,7 @@
 
 namespace meshbound {
 
-/// Holds the signed error of every point that was ever mapped into a triangle, in one component.
+/// An interval that contains the signed errors, in one component, of all points that were ever mapped into a triangle.
 struct ErrorInterval {
     double lowest = 0, highest = 0;
 

@@ -30,7 +30,7 @@ inline double half_plane_angle(double x, double y) {
 }
 
 /// (cos, sin) of an angle in [0, 2π]: the series for an eighth of it, doubled three times.
-inline glm::dvec2 direction(double angle) {
+inline glm::dvec2 unit_vector(double angle) {
     const double a = angle / 8, q = a * a;
     double sine = 0, cosine = 0;
     for (int n = 15; n >= 1; n -= 2) {

@@ -24,7 +24,7 @@ inline glm::dvec3 clamped_barycentric(const glm::dvec2& p, const glm::dvec2& q, 
     const double sum = weight.x + weight.y + weight.z;
     if (!(sum > 0)) return glm::dvec3(1, 0, 0);
     weight /= sum;
-    weight.z = std::max(0.0, 1 - weight.x - weight.y); // sums to 1, so that the place is on the triangle
+    weight.z = std::max(0.0, 1 - weight.x - weight.y); // sums to 1, so that the point lies on the triangle
     return weight;
 }
 

@@ -9,8 +9,9 @@
 
 namespace meshbound {
 
-/// Whether a list that says of a surface's vertices which of the original's they are names some, in rising order: `whose` is the
-/// surface ("the waypoint"), `original` the number of the original's vertices. Returns `fault`, with the surface's vertex.
+/// Whether `vertices`, by vertex of a surface its index in the original, are valid and rising. `whose`: the surface,
+/// for the message ("the waypoint"); `original`: how many vertices the original has. Returns `fault`, with the vertex
+/// of the surface.
 Status check_kept_vertices(const std::string& whose, const std::vector<std::uint32_t>& vertices, std::size_t original,
                            Fault fault);
 

@@ -4,7 +4,7 @@
 
 namespace meshbound {
 
-/// Whether a triangle names a vertex twice: then it is none.
+/// Whether a triangle is degenerate: two of its indices are equal.
 inline bool repeats_vertex(const glm::uvec3& triangle) {
     return triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x;
 }

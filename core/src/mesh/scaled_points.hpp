@@ -8,8 +8,8 @@
 
 namespace meshbound {
 
-/// The positions of a mesh times a power of two, which rounds nothing, so that products of a few coordinates stay within what
-/// a double holds whatever the unit is.
+/// The positions of a mesh times a power of two, which is exact, so that products of a few coordinates neither overflow
+/// nor underflow, whatever the unit.
 struct ScaledPoints {
     std::vector<glm::dvec3> points; ///< by vertex; the origin where no triangle uses it
     int exponent = 0;               ///< they are 2^exponent as large as the mesh's

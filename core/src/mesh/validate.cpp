@@ -7,11 +7,11 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/non_finite.hpp"
-#include "surface/one_sided.hpp"
 #include "mesh/orientation.hpp"
-#include "reduction/removal.hpp"
 #include "mesh/repeats_vertex.hpp"
 #include "mesh/used_vertices.hpp"
+#include "reduction/removal.hpp"
+#include "surface/one_sided.hpp"
 
 namespace meshbound {
 namespace {
@@ -23,8 +23,8 @@ constexpr int most_components = 64;
 constexpr std::size_t most_triangles = std::numeric_limits<std::uint32_t>::max() / 3 - 1;
 constexpr std::size_t most_vertices = std::numeric_limits<std::uint32_t>::max() - 1;
 
-/// What keeps a candidate from being removed is noted by the number of the variable; 0 is position.
-constexpr std::size_t most_variables = std::numeric_limits<decltype(Verdict::variable)>::max();
+/// RemovalOutcome holds the number of a variable; 0 is position.
+constexpr std::size_t most_variables = std::numeric_limits<decltype(RemovalOutcome::variable)>::max();
 
 std::string quoted(const std::string& name) { return "“" + name + "”"; }
 
@@ -69,9 +69,9 @@ Status check_triangles(const Mesh& mesh) {
     return {};
 }
 
-/// A surface is somewhere. What stands at vertices that are no part of it does not matter, nor what variables hold: that
-/// matters to their bounds (see resolve_bounds).
-Status check_places(const Mesh& mesh, const std::vector<char>& used) {
+/// Positions must be finite at the vertices that triangles use. Other variables need not be: that matters to their
+/// bounds (see resolve_bounds).
+Status check_positions(const Mesh& mesh, const std::vector<char>& used) {
     for (std::size_t vertex = 0; vertex < used.size(); ++vertex)
         if (used[vertex] && !is_finite_at(mesh.position, vertex))
             return non_finite_at(Fault::non_finite_position, mesh.position, vertex);
@@ -129,7 +129,7 @@ Status validate(const Mesh& mesh, Oddities* oddities) {
     if (Status status = check_sizes(mesh); !status.ok()) return status;
     if (Status status = check_triangles(mesh); !status.ok()) return status;
     const std::vector<char> used = find_used_vertices(mesh);
-    if (Status status = check_places(mesh, used); !status.ok()) return status;
+    if (Status status = check_positions(mesh, used); !status.ok()) return status;
     for (std::size_t i = 0; i < mesh.variables.size(); ++i)
         if (Status status = check_variable(mesh.variables[i], i, vertex_count(mesh)); !status.ok()) return status;
     if (Status status = check_names(mesh); !status.ok()) return status;
@@ -138,9 +138,9 @@ Status validate(const Mesh& mesh, Oddities* oddities) {
 }
 
 void find_turned(const Mesh& mesh, Oddities& oddities) {
-    if (!has_coincident_triangles(mesh)) return note_turned(orient(mesh.triangles, vertex_count(mesh)), oddities);
+    if (!has_coincident_triangles(mesh)) return note_orientation(orient(mesh.triangles, vertex_count(mesh)), oddities);
     SideLabels labels;
-    OneSided(mesh, OneSided::Turning::as_reduced, labels).note(oddities);
+    OneSided(mesh, OneSided::Orienting::as_reduced, labels).note(oddities);
 }
 
 } // namespace meshbound

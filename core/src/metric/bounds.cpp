@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "metric/measured_bounds.hpp"
 #include "mesh/non_finite.hpp"
-#include "util/number_text.hpp"
-#include "metric/rows.hpp"
 #include "mesh/used_vertices.hpp"
+#include "metric/measured_bounds.hpp"
+#include "metric/rows.hpp"
+#include "util/number_text.hpp"
 
 namespace meshbound {
 namespace {
@@ -105,7 +105,7 @@ Status too_far_apart(const VariableView& variable, Fault fault) {
     return {fault, "The values of “" + name + "” lie farther apart than double precision can carry.", name, {}};
 }
 
-/// What the geometry must be even where it is free: places in space. Another variable need not.
+/// The extent of the geometry must be finite even where it is free; that of another variable need not.
 Status check_geometry(const Mesh& mesh, const ResolvedBound& position) {
     if (std::isfinite(position.extent)) return {};
     return too_far_apart(mesh.position, Fault::non_finite_position);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string>
 
-#include "metric/multipliers.hpp"
 #include "mesh/non_finite.hpp"
-#include "metric/rows.hpp"
 #include "mesh/used_vertices.hpp"
+#include "metric/multipliers.hpp"
+#include "metric/rows.hpp"
 
 namespace meshbound {
 

@@ -8,12 +8,12 @@
 namespace meshbound {
 namespace {
 
-double ratio_within(double numerator, double denominator, double low, double high) {
+double clamped_ratio(double numerator, double denominator, double low, double high) {
     if (!(denominator > 0)) return low;
     return std::clamp(numerator / denominator, low, high);
 }
 
-/// 0 where there is none that is finite.
+/// 0 where the inverse is not finite.
 double inverse_of(double extent) {
     const double inverse = 1 / extent;
     return extent > 0 && inverse < std::numeric_limits<double>::infinity() ? inverse : 0;
@@ -35,8 +35,8 @@ glm::dvec2 nearest_on_edges(const PlaneProducts& products, const JointTriangle::
     const double along_u = std::clamp(uw * inverses.uu, 0.0, 1.0), along_v = std::clamp(vw * inverses.vv, 0.0, 1.0);
     const double along_bc = std::clamp((uu - uv - uw + vw) * inverses.bc, 0.0, 1.0);
     glm::dvec2 best(along_u, 0);
-    for (const glm::dvec2& place : {glm::dvec2(0, along_v), glm::dvec2(1 - along_bc, along_bc)})
-        if (products.squared_at(place) < products.squared_at(best)) best = place;
+    for (const glm::dvec2& parameters : {glm::dvec2(0, along_v), glm::dvec2(1 - along_bc, along_bc)})
+        if (products.squared_at(parameters) < products.squared_at(best)) best = parameters;
     return best;
 }
 
@@ -46,7 +46,9 @@ glm::dvec2 nearest_in_plane(const PlaneProducts& products, const JointTriangle::
     return {(uw * vv - vw * uv) * inverses.determinant, (vw * uu - uw * uv) * inverses.determinant};
 }
 
-bool lies_inside(const glm::dvec2& place) { return place.x >= 0 && place.y >= 0 && place.x + place.y <= 1; }
+bool lies_inside(const glm::dvec2& parameters) {
+    return parameters.x >= 0 && parameters.y >= 0 && parameters.x + parameters.y <= 1;
+}
 
 } // namespace
 
@@ -56,8 +58,8 @@ double without_noise(double squared_distance, double products) {
 
 glm::dvec2 nearest_in_triangle(const PlaneProducts& products) {
     const JointTriangle::Inverses inverses = inverses_of(products);
-    const glm::dvec2 place = nearest_in_plane(products, inverses);
-    return inverses.determinant > 0 && lies_inside(place) ? place : nearest_on_edges(products, inverses);
+    const glm::dvec2 parameters = nearest_in_plane(products, inverses);
+    return inverses.determinant > 0 && lies_inside(parameters) ? parameters : nearest_on_edges(products, inverses);
 }
 
 JointTriangle::JointTriangle(const HoleProducts& products, int a, int b, int c)
@@ -80,13 +82,13 @@ JointTriangle::Nearest JointTriangle::nearest(const double* along, double limit)
     to_vertex.ww = along[size_] - 2 * from_a + aa_;
     const double products = along[size_] + aa_ + edges_.uu + edges_.vv;
     const bool has_area = inverses_.determinant > 0;
-    glm::dvec2 place = nearest_in_plane(to_vertex, inverses_);
-    double squared_distance = without_noise(to_vertex.squared_at(place), products);
-    if (!has_area || (squared_distance < limit && !lies_inside(place))) {
-        place = nearest_on_edges(to_vertex, inverses_);
-        squared_distance = without_noise(to_vertex.squared_at(place), products);
+    glm::dvec2 parameters = nearest_in_plane(to_vertex, inverses_);
+    double squared_distance = without_noise(to_vertex.squared_at(parameters), products);
+    if (!has_area || (squared_distance < limit && !lies_inside(parameters))) {
+        parameters = nearest_on_edges(to_vertex, inverses_);
+        squared_distance = without_noise(to_vertex.squared_at(parameters), products);
     }
-    return {{std::max(0.0, 1 - place.x - place.y), place.x, place.y}, squared_distance};
+    return {{std::max(0.0, 1 - parameters.x - parameters.y), parameters.x, parameters.y}, squared_distance};
 }
 
 glm::dvec2 nearest_parameters(const PlaneProducts& products, double low, double high) {
@@ -95,13 +97,13 @@ glm::dvec2 nearest_parameters(const PlaneProducts& products, double low, double 
     // parameters are valid ones.
     const double determinant = uu * vv - uv * uv;
     double x = determinant > 0 ? std::clamp((uw * vv - uv * vw) / determinant, low, high) : low;
-    double y = ratio_within(vw - x * uv, vv, 0, 1);
-    x = ratio_within(uw - y * uv, uu, low, high);
-    y = ratio_within(vw - x * uv, vv, 0, 1);
+    double y = clamped_ratio(vw - x * uv, vv, 0, 1);
+    x = clamped_ratio(uw - y * uv, uu, low, high);
+    y = clamped_ratio(vw - x * uv, vv, 0, 1);
     return {x, y};
 }
 
-PlaneProducts products_of(const MeasuredRows& rows, const JointSegment& first, const JointSegment& second) {
+PlaneProducts products_of(const BoundedRows& rows, const JointSegment& first, const JointSegment& second) {
     const auto lanes = between(first, second);
     LaneProducts sum;
     for (int i = 0; i < rows.lanes(); ++i) sum.add(lanes(i));

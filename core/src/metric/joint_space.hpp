@@ -6,22 +6,22 @@
 #include <glm/vec3.hpp>
 
 #include "errors/tracked/hole_products.hpp"
-#include "metric/measured_rows.hpp"
+#include "metric/bounded_rows.hpp"
 #include "metric/plane_products.hpp"
 
 namespace meshbound {
 
-/// Nearest places in the joint space of position and variables, all measured in bounds (design: the freedom of Φ). Sums of
-/// squares: cheap, smooth, and close enough to the largest of the ratios.
+/// Nearest points in the joint space of position and variables, all measured in bounds. Distances are sums of squares
+/// over all variables: cheap, smooth, and close enough to the largest of the ratios.
 
-/// A squared distance that was summed up from products of this size; 0 where rounding may have made it.
+/// A squared distance that was summed up from products of this size; 0 where it may be nothing but rounding.
 double without_noise(double squared_distance, double products);
 
 /// The x, y ≥ 0 with x + y ≤ 1 where w − x u − y v is shortest: the weights of b and c, where u and v are the edges from a
 /// corner a to them, and w leads from a to a point.
 glm::dvec2 nearest_in_triangle(const PlaneProducts& products);
 
-/// The triangle of three ring positions of a hole, prepared for looking up many of its inner vertices.
+/// The triangle of three ring indices of a hole, prepared for finding the points nearest to many inner vertices.
 class JointTriangle {
 public:
     JointTriangle(const HoleProducts& products, int a, int b, int c);
@@ -60,8 +60,8 @@ struct JointSegment {
 /// are the shares of the two along which they are compared.
 inline auto between(const JointSegment& first, const JointSegment& second) {
     return [=](int i) -> PlaneLanes {
-        const Lane start = MeasuredRows::lane(first.start, i), other = MeasuredRows::lane(second.start, i);
-        return {MeasuredRows::lane(first.end, i) - start, other - MeasuredRows::lane(second.end, i), other - start};
+        const Lane start = BoundedRows::lane(first.start, i), other = BoundedRows::lane(second.start, i);
+        return {BoundedRows::lane(first.end, i) - start, other - BoundedRows::lane(second.end, i), other - start};
     };
 }
 
@@ -73,12 +73,12 @@ struct JointCorners {
 /// Of a triangle and a row: u and v along the edges from a, w from a to the row.
 inline auto within(const JointCorners& corners, const double* row) {
     return [=](int i) -> PlaneLanes {
-        const Lane a = MeasuredRows::lane(corners.a, i);
-        return {MeasuredRows::lane(corners.b, i) - a, MeasuredRows::lane(corners.c, i) - a,
-                MeasuredRows::lane(row, i) - a};
+        const Lane a = BoundedRows::lane(corners.a, i);
+        return {BoundedRows::lane(corners.b, i) - a, BoundedRows::lane(corners.c, i) - a,
+                BoundedRows::lane(row, i) - a};
     };
 }
 
-PlaneProducts products_of(const MeasuredRows& rows, const JointSegment& first, const JointSegment& second);
+PlaneProducts products_of(const BoundedRows& rows, const JointSegment& first, const JointSegment& second);
 
 } // namespace meshbound

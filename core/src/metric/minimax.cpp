@@ -11,18 +11,18 @@ PlaneProducts Minimax::weighted() const {
     return sum;
 }
 
-/// Looks at the place that the weights led to, and sets the next weights. False when going on is in vain: the weighted mean at
-/// the weights' own best place is below the largest ratio at any place.
-bool Minimax::weigh(const glm::dvec2& at, Place& best) {
+/// Evaluates the weights' own optimum and sets the next weights. False when no further round can help: the weighted
+/// mean at this optimum is a lower bound of the largest ratio anywhere.
+bool Minimax::reweight(const glm::dvec2& parameters, Solution& best) {
     double largest = 0, mean = 0, sum = 0;
     for (std::size_t n = 0; n < variables_.size(); ++n) {
-        const double square = std::max(0.0, variables_[n].squared_at(at));
+        const double square = std::max(0.0, variables_[n].squared_at(parameters));
         largest = std::max(largest, square);
         mean += weights_[n] * square;
         weights_[n] *= std::sqrt(square);
         sum += weights_[n];
     }
-    if (largest < best.squared_ratio) best = {at, largest};
+    if (largest < best.squared_ratio) best = {parameters, largest};
     if (!(sum > 0) || mean >= best.squared_ratio) return false;
     for (double& weight : weights_) weight /= sum;
     return true;

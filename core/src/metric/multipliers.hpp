@@ -33,7 +33,7 @@ public:
         return std::max(p + s * (q - p), std::min(p, q));
     }
 
-    /// Squared ratios to the bounds where these are multiplied so.
+    /// Squared ratios to the bounds, multiplied as they are there.
     double scale_at(std::uint32_t vertex, double squared_ratio) const {
         return vary() ? scale(squared_ratio, at(vertex)) : squared_ratio;
     }

@@ -2,19 +2,20 @@
 
 #include <glm/vec2.hpp>
 
-#include "metric/measured_rows.hpp"
+#include "metric/bounded_rows.hpp"
 
 namespace meshbound {
 
-/// Dot products of u, v and w: what the squared length of w − x u − y v follows from.
+/// Dot products of u, v and w: they give the squared length of w − x u − y v, a quadratic in x and y.
 template <class Number>
 struct Products {
     Number uu{}, uv{}, vv{}, uw{}, vw{}, ww{};
 };
 
 struct PlaneProducts : Products<double> {
-    double squared_at(const glm::dvec2& place) const {
-        return ww + place.x * (place.x * uu + 2 * (place.y * uv - uw)) + place.y * (place.y * vv - 2 * vw);
+    double squared_at(const glm::dvec2& parameters) const {
+        return ww + parameters.x * (parameters.x * uu + 2 * (parameters.y * uv - uw)) +
+               parameters.y * (parameters.y * vv - 2 * vw);
     }
 
     /// Adds the products of another variable, `weight` times.

@@ -51,28 +51,28 @@ void fill(const VariableView& variable, const RowGroup& group, double unit, std:
 
 } // namespace
 
-/// Gives a group the next places; several components begin a pair.
-void Rows::place(RowGroup& group) {
+/// Gives a group the next columns; a group of several components begins at an even one.
+void Rows::append_group(RowGroup& group) {
     if (group.count > 1) width_ += width_ % 2;
     group.first = width_;
     width_ += group.count;
 }
 
-void Rows::place_groups() {
+void Rows::arrange_groups() {
     std::vector<RowGroup*> scalars;
     for (RowGroup& group : groups_)
         if (group.bounded && group.count == 1) scalars.push_back(&group);
     auto next_scalar = scalars.begin();
     for (RowGroup& group : groups_) {
         if (group.count == 1 || !(group.bounded || group.variable == 0)) continue;
-        place(group);
-        if (group.bounded && width_ % 2 == 1 && next_scalar != scalars.end()) place(**next_scalar++);
+        append_group(group);
+        if (group.bounded && width_ % 2 == 1 && next_scalar != scalars.end()) append_group(**next_scalar++);
         width_ += width_ % 2;
     }
-    for (; next_scalar != scalars.end(); ++next_scalar) place(**next_scalar);
+    for (; next_scalar != scalars.end(); ++next_scalar) append_group(**next_scalar);
     width_ += width_ % 2;
     for (RowGroup& group : groups_)
-        if (!group.bounded && group.variable != 0) place(group);
+        if (!group.bounded && group.variable != 0) append_group(group);
     width_ += width_ % 2;
 }
 
@@ -86,7 +86,7 @@ Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Var
         units_.push_back(unit_of(bound));
         margin = std::max(margin, rounding_margin(bound));
     }
-    place_groups();
+    arrange_groups();
     limit_ = 1 - margin / multipliers_.least();
     const std::vector<char> used = find_used_vertices(mesh);
     const std::size_t vertices = inputs.empty() ? vertex_count(mesh) : inputs.size();

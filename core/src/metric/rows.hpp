@@ -19,13 +19,13 @@ struct RowGroup {
     bool finite = true;         ///< whether all of it are numbers; else it is free, and NaN stands where it is none
 };
 
-/// Every vertex as one row of numbers measured in bounds: position first, then the variables, each component centred and
-/// divided by its variable's bound. Every check of the promise becomes "norm of each group ≤ 1", without units. Free
-/// variables are divided by their extent instead. Vertices that no triangle uses have zeros.
+/// Every vertex as one row of numbers measured in bounds: position first, then the variables, each component centred
+/// and divided by its variable's bound. Every check of the guarantee becomes "norm of each group ≤ 1", without units.
+/// Free variables are divided by their extent instead. Vertices that no triangle uses have zeros.
 ///
-/// For the inner loops (MeasuredRows) what is bounded stands together, in pairs: variables with several components, each from
-/// the beginning of a pair on, then all scalars; but the first scalars stand in the halves of pairs that those leave. Behind
-/// them stands what is free. What is left over is zero.
+/// For the inner loops (BoundedRows) the bounded variables come first, in pairs of columns: variables with several
+/// components, each from an even column on, then the scalars; but the first scalars fill the odd columns that those
+/// leave. Free variables come last. Unused columns are zero.
 ///
 ///     position (3), velocity (3), p, q, T, free: e:   | x y | z p | vx vy | vz q | T 0 | e 0 |   (each centred)
 class Rows {
@@ -57,8 +57,8 @@ public:
     const Multipliers& multipliers() const { return multipliers_; }
 
 private:
-    void place(RowGroup& group);
-    void place_groups();
+    void append_group(RowGroup& group);
+    void arrange_groups();
 
     int width_ = 0;
     double limit_ = 1;
@@ -68,11 +68,11 @@ private:
     std::vector<double> values_;
 };
 
-/// How far rounding can push an error across the bound, as a ratio to the bound: an error is a difference of interpolated
-/// values, a few dozen operations on numbers no larger than the extent. 0 where the variable is free.
+/// How far rounding can push an error beyond the bound, as a ratio to the bound: an error is a difference of
+/// interpolated values, a few dozen operations on numbers no larger than the extent. 0 where the variable is free.
 double rounding_margin(const ResolvedBound& bound);
 
-/// Above this margin a bound is refused as too fine: the promise would rest on rounding noise.
+/// Above this margin a bound is refused as too fine: the guarantee would rest on rounding noise.
 inline constexpr double largest_rounding_margin = 1e-3;
 
 /// Largest ratio to its bound over the bounded groups of a row of differences, squared.

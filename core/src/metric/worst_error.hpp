@@ -1,25 +1,26 @@
 #pragma once
 
-#include "errors/accounting.hpp"
-#include "metric/measured_rows.hpp"
+#include "errors/error_model.hpp"
+#include "metric/bounded_rows.hpp"
 
 namespace meshbound {
 
-/// The worst of the errors of a removal, as they are met.
+/// The running maximum of the errors of a removal.
 class WorstError {
 public:
-    /// `content_with`: see Tracking.
-    WorstError(const MeasuredRows& rows, double squared_limit, double content_with)
-        : rows_(rows), squared_limit_(squared_limit), squared_content_(content_with * content_with * squared_limit) {}
+    /// `relocation_threshold`: see Tracking.
+    WorstError(const BoundedRows& rows, double squared_limit, double relocation_threshold)
+        : rows_(rows), squared_limit_(squared_limit),
+          squared_threshold_(relocation_threshold * relocation_threshold * squared_limit) {}
 
-    /// What has no larger error stays where the layout puts it.
-    double squared_content() const { return squared_content_; }
-    const Measured& measured() const { return measured_; }
+    /// Vertex images and crossings with no larger error stay where the layout puts them.
+    double squared_threshold() const { return squared_threshold_; }
+    const RemovalError& measured() const { return measured_; }
 
-    /// Takes an error into account; false when it is above the limit. `find_difference()` gives the difference of rows that it
-    /// belongs to, which few are asked for.
+    /// Includes an error; false when it is above the limit. `find_difference()` gives its difference of rows; it is
+    /// called for few.
     template <class FindDifference>
-    bool take(double squared_error, const FindDifference& find_difference) {
+    bool include(double squared_error, const FindDifference& find_difference) {
         if (squared_error <= measured_.squared_ratio) return true;
         measured_.squared_ratio = squared_error;
         if (squared_error <= squared_limit_) return true;
@@ -28,9 +29,9 @@ public:
     }
 
 private:
-    const MeasuredRows& rows_;
-    double squared_limit_, squared_content_;
-    Measured measured_;
+    const BoundedRows& rows_;
+    double squared_limit_, squared_threshold_;
+    RemovalError measured_;
 };
 
 } // namespace meshbound

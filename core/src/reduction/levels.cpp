@@ -5,20 +5,20 @@
 #include <string>
 #include <utility>
 
+#include "metric/focus.hpp"
 #include "reduction/check_options.hpp"
 #include "reduction/feature_limit.hpp"
-#include "metric/focus.hpp"
+#include "reduction/reduction_run.hpp"
 #include "util/number_text.hpp"
 #include "util/out_of_memory.hpp"
-#include "reduction/reduction_run.hpp"
-#include "util/ticker.hpp"
+#include "util/progress_reporter.hpp"
 
 namespace meshbound {
 namespace {
 
 using LevelBounds = std::vector<std::vector<ResolvedBound>>;
 
-/// Levels by their number from 1, as people count them.
+/// Levels are counted from 1 in messages.
 std::string name_of(std::size_t level) { return "level " + std::to_string(level + 1); }
 
 /// A coarser level is a finer one with more removed: it cannot keep tighter bounds, and under the same ones it is the same.
@@ -41,7 +41,7 @@ Status check_step(const Mesh& mesh, const LevelBounds& bounds, std::size_t level
             level};
 }
 
-/// A fault of one level says so.
+/// Names the level in the message of a fault.
 Status of_level(std::size_t level, Status status) {
     if (!status.ok()) status.message = "Of " + name_of(level) + ": " + status.message;
     return status;
@@ -58,7 +58,7 @@ Status resolve_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, Level
     return {};
 }
 
-/// Whether the options go with the bounds. Parts are left out within those of the first level.
+/// Whether the options fit the bounds. Small parts are dropped within those of the first level.
 Status check_together(const Mesh& mesh, const LevelBounds& bounds, const Options& options) {
     for (std::size_t level = 0; level < bounds.size(); ++level) {
         Status status = check_feature_limit(bounds[level], options);
@@ -85,21 +85,21 @@ MappedSurfaces to_last(const Mesh& mesh, const Levels& levels) {
 }
 
 Status reduce_all(const Mesh& mesh, const LevelBounds& bounds, const LevelOptions& options, const Oddities& oddities,
-                  Levels& levels, Ticker& ticker) {
+                  Levels& levels, ProgressReporter& reporter) {
     const bool tracked = options.reduction.errors == Errors::tracked;
     const bool links = tracked && (options.links || options.morphs), morphs = tracked && options.morphs;
-    ReductionRun run(mesh, options.reduction, oddities, ticker);
-    for (std::size_t level = 0; level < bounds.size() && !ticker.cancelled(); ++level) {
+    ReductionRun run(mesh, options.reduction, oddities, reporter);
+    for (std::size_t level = 0; level < bounds.size() && !reporter.cancelled(); ++level) {
         const bool linked = links && level > 0;
         LevelLink link;
         levels.levels.push_back(
             run.reduce_within(bounds[level], span_of(level, bounds.size()), linked ? &link : nullptr));
-        if (linked && !ticker.cancelled()) levels.links.push_back(std::move(link));
-        if (!morphs || ticker.cancelled()) continue;
+        if (linked && !reporter.cancelled()) levels.links.push_back(std::move(link));
+        if (!morphs || reporter.cancelled()) continue;
         Morph morph;
-        Status status = make_morph(to_last(mesh, levels), morph, [&ticker](double) { return ticker.ask(); });
+        Status status = make_morph(to_last(mesh, levels), morph, [&reporter](double) { return reporter.poll(); });
         if (!status.ok()) return of_level(level, status);
-        if (!ticker.cancelled()) levels.morphs.push_back(std::move(morph));
+        if (!reporter.cancelled()) levels.morphs.push_back(std::move(morph));
         else levels.levels.back().report.stopped = Stopped::cancelled;
     }
     return {};
@@ -110,22 +110,23 @@ Status reduce_all(const Mesh& mesh, const LevelBounds& bounds, const LevelOption
 Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const LevelOptions& options, Levels& levels,
                      const Progress& progress) {
     try {
-        Ticker ticker(progress);
+        ProgressReporter reporter(progress);
         Oddities oddities;
         if (Status status = validate(mesh, &oddities); !status.ok()) return status;
         LevelBounds resolved;
         if (Status status = resolve_levels(mesh, bounds, resolved); !status.ok()) return status;
         if (Status status = check_options(mesh, options.reduction); !status.ok()) return status;
         if (Status status = check_together(mesh, resolved, options.reduction); !status.ok()) return status;
-        ticker.ask();
+        reporter.poll();
         std::optional<double> feature;
-        if (Status status = limit_to_feature_size(mesh, options.reduction, resolved, feature, ticker); !status.ok())
+        if (Status status = limit_to_feature_size(mesh, options.reduction, resolved, feature, reporter); !status.ok())
             return status;
         Levels reduced;
-        if (Status status = reduce_all(mesh, resolved, options, oddities, reduced, ticker); !status.ok()) return status;
+        if (Status status = reduce_all(mesh, resolved, options, oddities, reduced, reporter); !status.ok())
+            return status;
         for (Reduction& level : reduced.levels) level.report.feature_size = feature;
         levels = std::move(reduced);
-        ticker.finish();
+        reporter.finish();
         return {};
     } catch (const std::bad_alloc&) {
         return out_of_memory("reducing", mesh.triangles.size(), " to " + std::to_string(bounds.size()) + " levels");

@@ -8,7 +8,7 @@
 namespace meshbound {
 namespace {
 
-/// So many of the vertices, at most twice as many, are looked at: enough to cut them evenly.
+/// The cuts are taken from a sample of this size up to twice as much: enough to be even.
 constexpr std::size_t sample_size = 2048;
 
 /// The share of the vertices below the first cut, in turn.
@@ -25,8 +25,8 @@ Patches::Patches(const Rows& rows, const std::vector<std::uint32_t>& vertices, i
     find_extents();
 }
 
-/// Cuts across the longest side of the sample's box. What lies on either side follows from the cut's place, not from the
-/// order in which the library's algorithms leave things: that differs from one to the other.
+/// Cuts across the longest side of the sample's box. The sides follow from the coordinate of the cut, not from the
+/// order in which std::nth_element leaves the sample: that differs between libraries.
 void Patches::cut(std::size_t node, Sample first, Sample last, double share) {
     if (node >= first_leaf_) return;
     Cut& cut = cuts_[node];
@@ -38,12 +38,13 @@ void Patches::cut(std::size_t node, Sample first, Sample last, double share) {
         }
         const glm::dvec3 side = highest - lowest;
         cut.axis = side.x >= side.y && side.x >= side.z ? 0 : side.y >= side.z ? 1 : 2;
-        const auto place = first + static_cast<std::ptrdiff_t>(share * static_cast<double>(last - first));
-        std::nth_element(first, place, last,
+        const auto quantile = first + static_cast<std::ptrdiff_t>(share * static_cast<double>(last - first));
+        std::nth_element(first, quantile, last,
                          [&](const glm::dvec3& p, const glm::dvec3& q) { return p[cut.axis] < q[cut.axis]; });
-        cut.at = (*place)[cut.axis];
+        cut.coordinate = (*quantile)[cut.axis];
     }
-    const Sample middle = std::partition(first, last, [&](const glm::dvec3& p) { return p[cut.axis] < cut.at; });
+    const Sample middle =
+        std::partition(first, last, [&](const glm::dvec3& p) { return p[cut.axis] < cut.coordinate; });
     this->cut(2 * node, first, middle, 0.5);
     this->cut(2 * node + 1, middle, last, 0.5);
 }
@@ -53,8 +54,8 @@ void Patches::find_extents() {
         const Cut& cut = cuts_[node];
         Extent &below = extents_[2 * node], &above = extents_[2 * node + 1];
         below = above = extents_[node];
-        below.high[cut.axis] = std::min(below.high[cut.axis], cut.at); // a cut of nothing may lie outside
-        above.low[cut.axis] = std::max(above.low[cut.axis], cut.at);
+        below.high[cut.axis] = std::min(below.high[cut.axis], cut.coordinate); // a cut of nothing may lie outside
+        above.low[cut.axis] = std::max(above.low[cut.axis], cut.coordinate);
     }
 }
 

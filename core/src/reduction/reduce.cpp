@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "metric/focus.hpp"
 #include "reduction/check_options.hpp"
 #include "reduction/feature_limit.hpp"
-#include "metric/focus.hpp"
-#include "util/out_of_memory.hpp"
 #include "reduction/reduction_run.hpp"
-#include "util/ticker.hpp"
+#include "util/out_of_memory.hpp"
+#include "util/progress_reporter.hpp"
 
 namespace meshbound {
 namespace {
@@ -25,7 +25,7 @@ Status check_waypoint_is_passed(const Options& options, const Waypoint* waypoint
 Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Reduction& reduction,
               const Progress& progress, Waypoint* waypoint) {
     try {
-        Ticker ticker(progress);
+        ProgressReporter reporter(progress);
         Oddities oddities;
         if (Status status = validate(mesh, &oddities); !status.ok()) return status;
         std::vector<std::vector<ResolvedBound>> resolved(1);
@@ -35,18 +35,19 @@ Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Re
         if (Status status = check_small_parts(resolved[0], options); !status.ok()) return status;
         if (Status status = check_waypoint_is_passed(options, waypoint); !status.ok()) return status;
         if (Status status = check_focus(mesh, resolved[0], options); !status.ok()) return status;
-        ticker.ask();
+        reporter.poll();
         std::optional<double> feature;
-        if (Status status = limit_to_feature_size(mesh, options, resolved, feature, ticker); !status.ok())
+        if (Status status = limit_to_feature_size(mesh, options, resolved, feature, reporter); !status.ok())
             return status;
         Waypoint passed;
-        reduction = ReductionRun(mesh, options, oddities, ticker).end_within(resolved[0], waypoint ? &passed : nullptr);
+        reduction =
+            ReductionRun(mesh, options, oddities, reporter).finish_within(resolved[0], waypoint ? &passed : nullptr);
         reduction.report.feature_size = feature;
         if (!passed.vertices.empty()) {
             passed.report.feature_size = feature;
             *waypoint = std::move(passed);
         }
-        ticker.finish();
+        reporter.finish();
         return {};
     } catch (const std::bad_alloc&) {
         return out_of_memory("reducing", mesh.triangles.size());

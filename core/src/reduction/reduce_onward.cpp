@@ -7,20 +7,20 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/round_up_to_float.hpp"
+#include "metric/measured_bounds.hpp"
+#include "metric/rows.hpp"
 #include "reduction/check_options.hpp"
 #include "reduction/check_waypoint.hpp"
-#include "metric/measured_bounds.hpp"
+#include "reduction/reduction_run.hpp"
 #include "util/number_text.hpp"
 #include "util/out_of_memory.hpp"
-#include "reduction/reduction_run.hpp"
-#include "metric/rows.hpp"
-#include "util/ticker.hpp"
-#include "geometry/upper_float.hpp"
+#include "util/progress_reporter.hpp"
 
 namespace meshbound {
 namespace {
 
-/// Early, tighter sweeps are what led to the waypoint. Another one leaves no fewer triangles, and takes a quarter of the time.
+/// The early, tighter sweeps led to the waypoint; another one would not reduce further.
 const std::vector<double> sweeps_onward = {1};
 
 Status refuse_option(const std::string& option) {
@@ -53,7 +53,7 @@ std::vector<ResolvedBound> bounds_of_original(const Report& report) {
     return bounds;
 }
 
-/// What is left of each bound behind the waypoint, less what rounding can hide of that.
+/// What is left of each bound after the waypoint, less the margin for rounding.
 Status subtract_spent(const Waypoint& waypoint, std::vector<ResolvedBound>& bounds) {
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         const VariableReport& variable = waypoint.report.variables[i];
@@ -79,15 +79,15 @@ double ratio_of(double error, const ResolvedBound& bound) {
 void add_spent(double spent, const ResolvedBound& bound, TriangleErrors& errors) {
     for (std::size_t t = 0; t < errors.largest.size(); ++t) {
         const double largest = errors.largest[t] + spent;
-        errors.largest[t] = upper_float(largest);
-        errors.ratio[t] = upper_float(ratio_of(largest, bound));
+        errors.largest[t] = round_up_to_float(largest);
+        errors.ratio[t] = round_up_to_float(ratio_of(largest, bound));
     }
-    for (float& lowest : errors.lowest) lowest = -upper_float(spent - lowest);
-    for (float& highest : errors.highest) highest = upper_float(spent + highest);
+    for (float& lowest : errors.lowest) lowest = -round_up_to_float(spent - lowest);
+    for (float& highest : errors.highest) highest = round_up_to_float(spent + highest);
 }
 
-/// Of each region what there was of it in the original, and what is left: nothing where the waypoint has none of it. Both
-/// by rising labels.
+/// Each region as it was in the original and as it is left: nothing where the waypoint has none of it. Both lists are
+/// in the order of labels.
 std::vector<RegionReport> join_regions(std::vector<RegionReport> regions, const std::vector<RegionReport>& onward) {
     for (RegionReport& region : regions) {
         const auto found =
@@ -100,7 +100,7 @@ std::vector<RegionReport> join_regions(std::vector<RegionReport> regions, const 
     return regions;
 }
 
-/// The report on the way onward becomes one on the whole way.
+/// Turns the report on the reduction of the waypoint into one on that of the original.
 void join_reports(const Report& before, const std::vector<ResolvedBound>& bounds, Report& report) {
     report.triangles_before = before.triangles_before;
     report.vertices_before = before.vertices_before;
@@ -119,7 +119,7 @@ void join_reports(const Report& before, const std::vector<ResolvedBound>& bounds
     }
 }
 
-/// Says of a reduction of the waypoint what it is of the original.
+/// Expresses a reduction of the waypoint in terms of the original.
 void refer_to_original(const Waypoint& waypoint, const std::vector<ResolvedBound>& bounds, Reduction& reduction) {
     for (std::uint32_t& vertex : reduction.vertices) vertex = waypoint.vertices[vertex];
     for (std::size_t i = 0; i < reduction.triangle_errors.size(); ++i)
@@ -132,7 +132,7 @@ void refer_to_original(const Waypoint& waypoint, const std::vector<ResolvedBound
 Status reduce_onward(const Waypoint& waypoint, const Bounds& bounds, const Options& options, Reduction& reduction,
                      const Progress& progress) {
     try {
-        Ticker ticker(progress);
+        ProgressReporter reporter(progress);
         Oddities oddities;
         if (Status status = validate(waypoint.mesh, &oddities); !status.ok()) return status;
         if (Status status = check_waypoint(waypoint); !status.ok()) return status;
@@ -145,9 +145,9 @@ Status reduce_onward(const Waypoint& waypoint, const Bounds& bounds, const Optio
         onward.sweeps = sweeps_onward;
         if (Status status = translate_locked(waypoint, onward); !status.ok()) return status;
         if (Status status = check_options(waypoint.mesh, onward); !status.ok()) return status;
-        reduction = ReductionRun(waypoint.mesh, onward, oddities, ticker).end_without_map(rest);
+        reduction = ReductionRun(waypoint.mesh, onward, oddities, reporter).finish_without_map(rest);
         refer_to_original(waypoint, whole, reduction);
-        ticker.finish();
+        reporter.finish();
         return {};
     } catch (const std::bad_alloc&) {
         return out_of_memory("reducing", waypoint.mesh.triangles.size(), " further");

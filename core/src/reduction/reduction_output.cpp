@@ -5,27 +5,27 @@
 #include <limits>
 #include <string>
 
-#include "util/shared_loop.hpp"
-#include "geometry/upper_float.hpp"
+#include "geometry/round_up_to_float.hpp"
+#include "util/parallel_for.hpp"
 
 namespace meshbound {
 namespace {
 
-/// In a reduced triangle there may be much of the original.
-constexpr std::size_t triangles_at_once = 16;
+/// Few, since much of the original may be mapped into one reduced triangle.
+constexpr std::size_t triangles_per_chunk = 16;
 
 /// Of two errors; NaN, which is one that is not known, where either is.
 double larger(double one, double other) { return std::isnan(one) || one > other ? one : other; }
 
-/// Measures the errors on one triangle after the other, and what is largest of them.
+/// Measures the errors on one triangle after the other, and the largest of them.
 class TriangleMeasurement {
 public:
-    TriangleMeasurement(const Rows& rows, const Accounting& accounting)
-        : rows_(rows), accounting_(accounting), largest_(rows.groups().size()) {}
+    TriangleMeasurement(const Rows& rows, const ErrorModel& error_model)
+        : rows_(rows), error_model_(error_model), largest_(rows.groups().size()) {}
 
     /// Writes the errors on the triangle in `slot` down as those of the reduced triangle `i`.
     void measure(std::uint32_t slot, std::size_t i, std::vector<TriangleErrors>& errors) {
-        accounting_.errors(slot, ranges_);
+        error_model_.errors(slot, ranges_);
         for (const RowGroup& group : rows_.groups()) {
             const ErrorRange& range = ranges_[group.variable];
             if (range.known) write(group, range, i, errors[group.variable]);
@@ -48,14 +48,14 @@ private:
 
     void write(const RowGroup& group, const ErrorRange& range, std::size_t i, TriangleErrors& out) {
         const double unit = rows_.unit(group);
-        out.largest[i] = upper_float(range.largest * unit);
-        out.ratio[i] = group.bounded ? upper_float(range.ratio) : 0;
+        out.largest[i] = round_up_to_float(range.largest * unit);
+        out.ratio[i] = group.bounded ? round_up_to_float(range.ratio) : 0;
         Largest& largest = largest_[group.variable];
         largest.error = larger(largest.error, range.largest * unit);
         if (group.bounded) largest.ratio = std::max(largest.ratio, range.ratio);
         if (out.lowest.empty()) return;
-        out.lowest[i] = -upper_float(-range.lowest * unit);
-        out.highest[i] = upper_float(range.highest * unit);
+        out.lowest[i] = -round_up_to_float(-range.lowest * unit);
+        out.highest[i] = round_up_to_float(range.highest * unit);
     }
 
     void write_unknown(const RowGroup& group, std::size_t i, TriangleErrors& out) {
@@ -67,7 +67,7 @@ private:
     }
 
     const Rows& rows_;
-    const Accounting& accounting_;
+    const ErrorModel& error_model_;
     std::vector<Largest> largest_;   // by variable
     std::vector<ErrorRange> ranges_; // of the last triangle
 };
@@ -99,64 +99,65 @@ Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, 
     return report;
 }
 
-Renaming extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduction) {
-    Renaming renamed{std::vector<std::uint32_t>(surface.vertex_count(), no_index),
-                     std::vector<std::uint32_t>(surface.slot_count(), no_index)};
+ReducedIndices extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduction) {
+    ReducedIndices reduced{std::vector<std::uint32_t>(surface.vertex_count(), no_index),
+                           std::vector<std::uint32_t>(surface.slot_count(), no_index)};
     for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
         if (surface.kind(vertex) == VertexKind::absent) continue;
-        const std::uint32_t input = surface.input(vertex); // its copies are neighbours in the numbering
+        const std::uint32_t input = surface.input(vertex); // its vertices are consecutive
         if (reduction.vertices.empty() || reduction.vertices.back() != input) reduction.vertices.push_back(input);
-        renamed.vertex[vertex] = static_cast<std::uint32_t>(reduction.vertices.size() - 1);
+        reduced.vertex[vertex] = static_cast<std::uint32_t>(reduction.vertices.size() - 1);
     }
     for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
         if (!surface.alive(slot)) continue;
-        renamed.triangle[slot] = static_cast<std::uint32_t>(reduction.mesh.triangles.size());
-        const auto corner = [&](std::uint32_t i) { return renamed.vertex[surface.origin(3 * slot + i)]; };
+        reduced.triangle[slot] = static_cast<std::uint32_t>(reduction.mesh.triangles.size());
+        const auto corner = [&](std::uint32_t i) { return reduced.vertex[surface.origin(3 * slot + i)]; };
         reduction.mesh.triangles.push_back({corner(0), corner(1), corner(2)});
         if (surface.has_regions()) reduction.mesh.regions.push_back(surface.region(slot));
     }
     reduction.mesh.position = gather(mesh.position, reduction.vertices);
     for (const Variable& variable : mesh.variables)
         reduction.mesh.variables.push_back(gather(variable, reduction.vertices));
-    return renamed;
+    return reduced;
 }
 
-void extract_errors(const Surface& surface, const Rows& rows, const Accounting& accounting, Reduction& reduction,
-                    Team& team, Ticker& ticker) {
+void extract_errors(const Surface& surface, const Rows& rows, const ErrorModel& error_model, Reduction& reduction,
+                    ThreadPool& pool, ProgressReporter& reporter) {
     std::vector<std::uint32_t> slots;
     for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot)
         if (surface.alive(slot)) slots.push_back(slot);
     reduction.triangle_errors = room_for(slots.size(), rows);
-    team.gather();
-    std::vector<TriangleMeasurement> measurements(team.size(), TriangleMeasurement(rows, accounting));
-    const auto measure = [&](std::size_t member, std::size_t i) {
-        measurements[member].measure(slots[i], i, reduction.triangle_errors);
+    pool.start();
+    std::vector<TriangleMeasurement> measurements(pool.size(), TriangleMeasurement(rows, error_model));
+    const auto measure = [&](std::size_t worker, std::size_t i) {
+        measurements[worker].measure(slots[i], i, reduction.triangle_errors);
     };
-    if (share_out(team, ticker, slots.size(), triangles_at_once, measure))
+    if (parallel_for(pool, reporter, slots.size(), triangles_per_chunk, measure))
         for (const TriangleMeasurement& measurement : measurements) measurement.add_to(reduction.report);
     else reduction.triangle_errors.clear();
 }
 
 void count_refusals(const Surface& surface, const Sweeper& sweeper, Report& report) {
     for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
-        if (surface.kind(vertex) == VertexKind::absent || surface.first_copy(surface.input(vertex)) != vertex) continue;
-        const std::uint32_t site = surface.site(vertex);
-        if (!sweeper.is_candidate(site)) {
-            ++(surface.is_free(site) ? report.refused.locked : report.refused.non_manifold);
+        if (surface.kind(vertex) == VertexKind::absent || surface.first_vertex_of(surface.input(vertex)) != vertex)
+            continue;
+        const std::uint32_t representative = surface.representative(vertex);
+        if (!sweeper.is_candidate(representative)) {
+            ++(surface.is_removable(representative) ? report.refused.locked : report.refused.non_manifold);
             continue;
         }
-        const Verdict& verdict = sweeper.verdict(site);
-        if (verdict.refusal == Refusal::ring) ++report.refused.ring;
-        if (verdict.refusal == Refusal::topology) ++report.refused.topology;
-        if (verdict.refusal == Refusal::fold) ++report.refused.fold;
-        if (verdict.refusal == Refusal::piercing) ++report.refused.piercing;
-        if (verdict.refusal == Refusal::bound) ++report.variables[verdict.variable].refused;
+        const RemovalOutcome& outcome = sweeper.outcome(representative);
+        if (outcome.refusal == Refusal::ring) ++report.refused.ring;
+        if (outcome.refusal == Refusal::topology) ++report.refused.topology;
+        if (outcome.refusal == Refusal::fold) ++report.refused.fold;
+        if (outcome.refusal == Refusal::self_intersection) ++report.refused.piercing;
+        if (outcome.refusal == Refusal::bound) ++report.variables[outcome.variable].refused;
     }
 }
 
 std::size_t count_vertices(const Surface& surface) {
     std::size_t count = 0;
-    std::uint32_t last = no_index; // copies are neighbours in the numbering
+    std::uint32_t last = no_index; // the vertices of one input vertex are consecutive
     for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
         if (surface.kind(vertex) == VertexKind::absent || surface.input(vertex) == last) continue;
         last = surface.input(vertex);

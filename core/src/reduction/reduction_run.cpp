@@ -4,17 +4,17 @@
 #include <thread>
 #include <utility>
 
+#include "errors/propagated/propagation.hpp"
+#include "errors/tracked/map_output.hpp"
+#include "errors/tracked/tracking.hpp"
+#include "mesh/orientation.hpp"
+#include "mesh/region_report.hpp"
 #include "metric/focus.hpp"
 #include "reduction/locks.hpp"
-#include "errors/tracked/map_output.hpp"
-#include "mesh/orientation.hpp"
-#include "segmentation/oriented_segmentation.hpp"
-#include "errors/propagated/propagation.hpp"
 #include "reduction/reduction_output.hpp"
-#include "mesh/region_report.hpp"
-#include "surface/seams.hpp"
 #include "reduction/sweep.hpp"
-#include "errors/tracked/tracking.hpp"
+#include "segmentation/fold_count.hpp"
+#include "surface/seams.hpp"
 
 namespace meshbound {
 namespace {
@@ -22,17 +22,17 @@ namespace {
 /// Sweeping is this share of the progress; the rest is reporting.
 constexpr double sweeping_share = 0.9;
 
-/// More threads than this would wait for each other.
+/// More threads would wait for each other.
 constexpr unsigned most_threads = 64;
 
-/// By vertex, for those that name a site: all sites are candidates but those in which curves meet or end, and those that the
-/// user locked (§3.1: all vertices are candidates).
+/// By the lowest vertices of coincidence classes: all classes are candidates but those in which curves meet or end, and
+/// those that the user locked (§3.1: all vertices are candidates).
 std::vector<char> find_candidates(const Mesh& mesh, const Surface& surface, const Options& options) {
     std::vector<char> candidate(surface.vertex_count(), 0);
     for (std::uint32_t vertex = 0; vertex < candidate.size(); ++vertex)
-        candidate[vertex] = surface.site(vertex) == vertex && surface.is_free(vertex);
+        candidate[vertex] = surface.representative(vertex) == vertex && surface.is_removable(vertex);
     for (const std::uint32_t vertex : locked_vertices(mesh, options))
-        candidate[surface.site(surface.first_copy(vertex))] = 0;
+        candidate[surface.representative(surface.first_vertex_of(vertex))] = 0;
     return candidate;
 }
 
@@ -41,37 +41,38 @@ std::size_t threads_to_use(const Options& options) {
     return std::clamp(wanted, 1U, most_threads);
 }
 
-std::unique_ptr<Accounting> make_accounting(const Options& options, const Rows& rows, const Surface& surface) {
+std::unique_ptr<ErrorModel> make_error_model(const Options& options, const Rows& rows, const Surface& surface) {
     if (options.errors == Errors::tracked) return std::make_unique<Tracking>(rows, surface, options);
     return std::make_unique<Propagation>(rows, surface, options.cost);
 }
 
 } // namespace
 
-ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities, Ticker& ticker)
-    : mesh_(mesh), options_(options), oddities_(oddities), ticker_(ticker), team_(threads_to_use(options)),
+ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities,
+                           ProgressReporter& reporter)
+    : mesh_(mesh), options_(options), oddities_(oddities), reporter_(reporter), pool_(threads_to_use(options)),
       unmet_boxes_(unmet_boxes(mesh, options)), surface_(mesh.triangles, vertex_count(mesh), mesh.regions) {
-    if (surface_.has_coincident_triangles()) take_one_side();
-    else if (surface_.discordant_edges() > 0) orient_surface();
-    surface_.join_sites(find_seams(mesh, surface_));
+    if (surface_.has_coincident_triangles()) make_one_sided();
+    else if (surface_.inconsistent_edges() > 0) orient_surface();
+    surface_.join_coincident(find_seams(mesh, surface_));
 }
 
 void ReductionRun::orient_surface() {
     Orientation orientation = orient(mesh_.triangles, vertex_count(mesh_));
-    note_turned(orientation, oddities_);
-    if (orientation.turned == 0) return;
+    note_orientation(orientation, oddities_);
+    if (orientation.flipped == 0) return;
     oriented_ = std::move(orientation.triangles);
     surface_ = Surface(oriented_, vertex_count(mesh_), mesh_.regions);
 }
 
-void ReductionRun::take_one_side() {
-    one_sided_ = std::make_unique<OneSided>(mesh_, OneSided::Turning::as_reduced, side_labels_);
+void ReductionRun::make_one_sided() {
+    one_sided_ = std::make_unique<OneSided>(mesh_, OneSided::Orienting::as_reduced, side_labels_);
     one_sided_->note(oddities_);
     const Mesh& shape = one_sided_->shape();
     surface_ = Surface(shape.triangles, vertex_count(mesh_), shape.regions);
 }
 
-/// Before anything is removed; later levels keep what the first one kept.
+/// Before anything is removed; later levels keep the components that the first one kept.
 void ReductionRun::drop_small_parts(double bound) {
     if (!options_.drop_small_parts || !reached_.empty()) return;
     const Multipliers multipliers(mesh_, find_focus(mesh_, options_));
@@ -92,12 +93,13 @@ Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, 
                                       LevelLink* link) {
     drop_small_parts(bounds[0].absolute);
     if (reached_.empty()) candidates_ = count_vertices(surface_);
-    if (options_.refuse_piercing && !piercing_) piercing_ = std::make_unique<Piercing>(mesh_, surface_);
+    if (options_.refuse_piercing && !self_intersection_check_)
+        self_intersection_check_ = std::make_unique<SelfIntersectionCheck>(mesh_, surface_);
     Reduction reduction;
     reduction.report = begin_report_within(bounds);
-    if (ticker_.ask()) sweep_and_report(bounds, reduction, span, link);
-    if (ticker_.cancelled()) report_cancelled(reduction);
-    give_out(reduction, link);
+    if (reporter_.poll()) sweep_and_report(bounds, reduction, span, link);
+    if (reporter_.cancelled()) report_cancelled(reduction);
+    restore_sides(reduction, link);
     report_what_is_left(reduction);
     return reduction;
 }
@@ -111,9 +113,9 @@ Report ReductionRun::begin_report_within(const std::vector<ResolvedBound>& bound
     return report;
 }
 
-/// Up to here the reduction was one of the surface, whose sheets have one side each.
-void ReductionRun::give_out(Reduction& reduction, LevelLink* link) const {
-    if (one_sided_) give_out_both_sides(side_labels_, !mesh_.regions.empty(), reduction, link ? &link->map : nullptr);
+/// Up to here the reduction was that of one-sided sheets.
+void ReductionRun::restore_sides(Reduction& reduction, LevelLink* link) const {
+    if (one_sided_) restore_both_sides(side_labels_, !mesh_.regions.empty(), reduction, link ? &link->map : nullptr);
 }
 
 void ReductionRun::report_what_is_left(Reduction& reduction) const {
@@ -125,18 +127,18 @@ void ReductionRun::report_what_is_left(Reduction& reduction) const {
     }
 }
 
-Reduction ReductionRun::end_within(const std::vector<ResolvedBound>& bounds, Waypoint* waypoint) {
-    ends_ = true;
+Reduction ReductionRun::finish_within(const std::vector<ResolvedBound>& bounds, Waypoint* waypoint) {
+    is_last_call_ = true;
     waypoint_ = waypoint;
     return reduce_within(bounds, {});
 }
 
-Reduction ReductionRun::end_without_map(const std::vector<ResolvedBound>& bounds) {
-    tells_map_ = false;
-    return end_within(bounds);
+Reduction ReductionRun::finish_without_map(const std::vector<ResolvedBound>& bounds) {
+    reports_map_ = false;
+    return finish_within(bounds);
 }
 
-/// What the surface was made from where triangles were turned, without its variables.
+/// What the surface was made from where triangles were flipped, without its variables.
 Mesh ReductionRun::oriented_shape() const {
     Mesh shape;
     shape.position = mesh_.position;
@@ -145,29 +147,29 @@ Mesh ReductionRun::oriented_shape() const {
     return shape;
 }
 
-/// Errors are known in bounds, so other bounds mean other numbers.
+/// Errors are stored in units of the bounds, so other bounds mean other numbers.
 void ReductionRun::set_bounds(const std::vector<ResolvedBound>& bounds) {
     auto rows = std::make_unique<Rows>(mesh_, bounds, find_focus(mesh_, options_), surface_.inputs());
-    if (accounting_) accounting_->measure_in(*rows);
-    else accounting_ = make_accounting(options_, *rows, surface_);
+    if (error_model_) error_model_->set_bounds(*rows);
+    else error_model_ = make_error_model(options_, *rows, surface_);
     rows_ = std::move(rows);
 }
 
-/// A triangle with two sides is two.
-std::size_t ReductionRun::count_turned() const {
-    return normals_->count_turned(surface_, *rows_, [this](std::uint32_t slot) {
+/// A triangle with two sides counts twice.
+std::size_t ReductionRun::count_flipped_normals() const {
+    return normals_->count_flipped_normals(surface_, *rows_, [this](std::uint32_t slot) {
         return one_sided_ && side_labels_.two_sided(surface_.region(slot)) ? 2 : 1;
     });
 }
 
 /// Before anything is removed.
-void ReductionRun::look_at_original() {
+void ReductionRun::record_original_normals() {
     if (normals_) return;
     normals_ = std::make_unique<OriginalNormals>(surface_, *rows_);
-    turned_before_ = count_turned();
+    flipped_before_ = count_flipped_normals();
 }
 
-/// The sweeps, but for those whose limits lie within bounds that were reached before: they would find nothing.
+/// The limits of the sweeps, without those that lie within bounds already reached: such sweeps would find nothing.
 std::vector<double> ReductionRun::limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const {
     std::vector<double> limits;
     for (const double share : options_.sweeps) {
@@ -182,81 +184,81 @@ std::vector<double> ReductionRun::limits_of_sweeps(const std::vector<ResolvedBou
 void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction,
                                     const ProgressSpan& span, LevelLink* link) {
     set_bounds(bounds);
-    look_at_original();
-    if (!ticker_.ask()) return;
+    record_original_normals();
+    if (!reporter_.poll()) return;
     const std::unique_ptr<LinkedTracking> linked = link ? link_from_here(bounds) : nullptr;
-    Accounting& accounting = linked ? static_cast<Accounting&>(*linked) : *accounting_;
-    if (sweep(bounds, accounting, span, reduction.report)) report_everything(reduction, linked.get(), link);
+    ErrorModel& error_model = linked ? static_cast<ErrorModel&>(*linked) : *error_model_;
+    if (sweep(bounds, error_model, span, reduction.report)) report_everything(reduction, linked.get(), link);
 }
 
-bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, Accounting& accounting, const ProgressSpan& span,
+bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, ErrorModel& error_model, const ProgressSpan& span,
                          Report& report) {
-    Sweeper sweeper(surface_, *rows_, accounting, find_candidates(mesh_, surface_, options_), team_,
-                    {*normals_, piercing_.get()});
+    Sweeper sweeper(surface_, *rows_, error_model, find_candidates(mesh_, surface_, options_), pool_,
+                    {*normals_, self_intersection_check_.get()});
     const double swept = span.start + sweeping_share * (span.end - span.start);
     const std::vector<double> limits = limits_of_sweeps(bounds);
     reached_ = bounds;
     const auto pass_waypoint = [&] {
         if (!waypoint_) return;
         Waypoint here = waypoint_here(bounds);
-        if (!ticker_.cancelled()) *waypoint_ = std::move(here); // else its errors are not all measured
+        if (!reporter_.cancelled()) *waypoint_ = std::move(here); // else its errors are not all measured
     };
-    if (!sweeper.sweep(limits, ticker_, span.start, swept, pass_waypoint)) return false;
+    if (!sweeper.sweep(limits, reporter_, span.start, swept, pass_waypoint)) return false;
     count_refusals(surface_, sweeper, report);
-    report.turned_before = turned_before_;
-    report.turned_after = count_turned();
+    report.turned_before = flipped_before_;
+    report.turned_after = count_flipped_normals();
     return true;
 }
 
-/// The surface as it is. Its errors are measured, not taken from the limit of the sweep: some variables have spent less.
+/// The current surface. Its errors are measured, not taken from the limit of the sweep: some variables have spent less.
 Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds) {
     Reduction here;
     here.report = begin_report_within(bounds);
     here.report.stopped = Stopped::on_the_way;
     extract_mesh(mesh_, surface_, here);
-    extract_errors(surface_, *rows_, *accounting_, here, team_, ticker_);
-    give_out(here, nullptr);
+    extract_errors(surface_, *rows_, *error_model_, here, pool_, reporter_);
+    restore_sides(here, nullptr);
     report_what_is_left(here);
     return {std::move(here.mesh), std::move(here.vertices), std::move(here.report)};
 }
 
-/// The finer level lies within its bounds of the original and the coarser one within its own: a map between them that
-/// leads by way of the original moves nothing farther than the two together, and that is what is asked of this one.
+/// The finer level lies within its bounds of the original, and the coarser one within its own. The map between them by
+/// way of the original moves nothing farther than the sum of both; that is the bound of this map.
 std::unique_ptr<LinkedTracking> ReductionRun::link_from_here(std::vector<ResolvedBound> bounds) const {
     for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i].absolute += reached_[i].absolute;
-    return std::make_unique<LinkedTracking>(dynamic_cast<Tracking&>(*accounting_),
+    return std::make_unique<LinkedTracking>(dynamic_cast<Tracking&>(*error_model_),
                                             Rows(mesh_, bounds, find_focus(mesh_, options_), surface_.inputs()),
                                             surface_, options_);
 }
 
-/// Everything that a finished result tells; incomplete where the ticker cancels. What is not needed any more goes first.
+/// Fills in all of a finished result; incomplete where the caller cancels. Releases what is no longer needed first.
 void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link) {
-    if (ends_) {
+    if (is_last_call_) {
         normals_.reset();
-        piercing_.reset();
+        self_intersection_check_.reset();
     }
-    const Renaming renamed = extract_mesh(mesh_, surface_, reduction);
-    extract_errors(surface_, *rows_, *accounting_, reduction, team_, ticker_);
-    auto* tracking = dynamic_cast<Tracking*>(accounting_.get());
-    if (!tracking || !tells_map_) return;
-    if (ends_) tracking->end();
-    extract_map(surface_, *tracking, renamed.vertex, renamed.triangle, reduction.map, ticker_);
-    if (linked) linked->extract(renamed.vertex, renamed.triangle, reduction.vertices, *link, ticker_);
-    if (ends_) accounting_.reset();
-    extract_vertex_errors(*rows_, surface_, reduction, reduction.vertex_errors, team_, ticker_);
-    if (options_.count_folds && !ticker_.cancelled()) count_folds(reduction);
+    const ReducedIndices reduced = extract_mesh(mesh_, surface_, reduction);
+    extract_errors(surface_, *rows_, *error_model_, reduction, pool_, reporter_);
+    auto* tracking = dynamic_cast<Tracking*>(error_model_.get());
+    if (!tracking || !reports_map_) return;
+    if (is_last_call_) tracking->finish();
+    extract_map(surface_, *tracking, reduced.vertex, reduced.triangle, reduction.map, reporter_);
+    if (linked) linked->extract(reduced.vertex, reduced.triangle, reduction.vertices, *link, reporter_);
+    if (is_last_call_) error_model_.reset();
+    extract_vertex_errors(*rows_, surface_, reduction, reduction.vertex_errors, pool_, reporter_);
+    if (options_.count_folds && !reporter_.cancelled()) count_folds(reduction);
 }
 
 void ReductionRun::count_folds(Reduction& reduction) {
     const Mesh oriented = oriented_.empty() ? Mesh{} : oriented_shape();
     const Mesh& shape = one_sided_ ? one_sided_->shape() : oriented_.empty() ? mesh_ : oriented;
     const Folds folds =
-        meshbound::count_folds({shape, reduction}, one_sided_ ? one_sided_->sides() : Sides(), team_, ticker_);
+        meshbound::count_folds({shape, reduction}, one_sided_ ? one_sided_->sides() : Sides(), pool_, reporter_);
     reduction.report.cells = folds.cells;
     reduction.report.folded_cells = folds.folded_cells;
 }
 
-/// What a cancelled call leaves: the surface as far as it got, and the bounds that it keeps.
+/// The result of a cancelled call: the surface as far as it got, and the bounds that it keeps.
 void ReductionRun::report_cancelled(Reduction& reduction) const {
     Report report = std::move(reduction.report);
     reduction = {};

@@ -11,11 +11,11 @@
 namespace meshbound {
 namespace {
 
-/// A sector whose angle in the projection has a sine below this counts as folded: its map would be all but singular.
+/// A sector whose angle in the projection has a sine below this counts as folded: its map would be close to singular.
 constexpr double flattest_sector = 1e-3;
 
 /// In the polar layout no spoke is shorter and no angle narrower than this fraction of their mean, so that coincident
-/// vertices and needles still have a place each.
+/// vertices and needles are still told apart.
 constexpr double least_share = 1e-3;
 
 /// An open fan keeps its angles unless they sum to more than this; beyond, it would overlap itself.
@@ -35,8 +35,8 @@ void find_spokes(const Rows& rows, Hole& hole) {
 bool is_star_shaped(const Hole& hole) {
     int turns = 0;
     for (int i = 0; i < hole.size(); ++i) {
-        const glm::dvec2& p = hole.places[at(i)];
-        const glm::dvec2& q = hole.places[at(hole.after(i))];
+        const glm::dvec2& p = hole.layout[to_index(i)];
+        const glm::dvec2& q = hole.layout[to_index(hole.after(i))];
         const double turn = p.x * q.y - p.y * q.x;
         if (!(turn > 0 && turn * turn > flattest_sector * flattest_sector * glm::dot(p, p) * glm::dot(q, q)))
             return false;
@@ -45,7 +45,7 @@ bool is_star_shaped(const Hole& hole) {
     return turns == 1;
 }
 
-/// The paper's layout: along the average normal.
+/// The paper's layout: projection along the average normal.
 bool project(Hole& hole) {
     const glm::dvec3 normal = star_normal(hole);
     const double length = glm::length(normal);
@@ -55,8 +55,8 @@ bool project(Hole& hole) {
     glm::dvec3 axis(0);
     axis[magnitude.x <= magnitude.y && magnitude.x <= magnitude.z ? 0 : magnitude.y <= magnitude.z ? 1 : 2] = 1;
     const glm::dvec3 u = glm::normalize(glm::cross(axis, n)), v = glm::cross(n, u);
-    hole.places.clear();
-    for (const glm::dvec3& spoke : hole.spokes) hole.places.push_back({glm::dot(spoke, u), glm::dot(spoke, v)});
+    hole.layout.clear();
+    for (const glm::dvec3& spoke : hole.spokes) hole.layout.push_back({glm::dot(spoke, u), glm::dot(spoke, v)});
     return is_star_shaped(hole);
 }
 
@@ -76,7 +76,7 @@ PolarStar measure_star(const Hole& hole) {
     PolarStar star;
     for (const glm::dvec3& spoke : hole.spokes) star.lengths.push_back(glm::length(spoke));
     for (int i = 0; i < hole.sectors(); ++i) {
-        const glm::dvec3 s = hole.spokes[at(i)], t = hole.spokes[at(hole.after(i))];
+        const glm::dvec3 s = hole.spokes[to_index(i)], t = hole.spokes[to_index(hole.after(i))];
         star.angles.push_back(half_plane_angle(glm::dot(s, t), glm::length(glm::cross(s, t))));
     }
     raise_to_share(star.lengths);
@@ -90,12 +90,12 @@ void lay_out_polar(Hole& hole) {
     double sum = 0;
     for (const double angle : star.angles) sum += angle;
     const double scale = !hole.open ? 2 * pi / sum : sum > widest_open_fan ? widest_open_fan / sum : 1;
-    hole.places.clear();
+    hole.layout.clear();
     double angle = 0;
     for (int i = 0; i < hole.size(); ++i) {
-        const glm::dvec2 heading = direction(angle);
-        hole.places.push_back(star.lengths[at(i)] * heading);
-        if (i < hole.sectors()) angle += scale * star.angles[at(i)];
+        const glm::dvec2 direction = unit_vector(angle);
+        hole.layout.push_back(star.lengths[to_index(i)] * direction);
+        if (i < hole.sectors()) angle += scale * star.angles[to_index(i)];
     }
 }
 
@@ -103,7 +103,8 @@ void lay_out_polar(Hole& hole) {
 
 glm::dvec3 star_normal(const Hole& hole) {
     glm::dvec3 sum(0);
-    for (int i = 0; i < hole.sectors(); ++i) sum += glm::cross(hole.spokes[at(i)], hole.spokes[at(hole.after(i))]);
+    for (int i = 0; i < hole.sectors(); ++i)
+        sum += glm::cross(hole.spokes[to_index(i)], hole.spokes[to_index(hole.after(i))]);
     return sum;
 }
 

@@ -5,25 +5,25 @@
 
 #include <glm/geometric.hpp>
 
-#include "util/indexing.hpp"
-#include "retriangulation/layout.hpp"
 #include "geometry/plane.hpp"
+#include "retriangulation/layout.hpp"
+#include "util/indexing.hpp"
 
 namespace meshbound {
 namespace {
 
-/// New triangles that must keep to the hole's normal do so within this cosine (about 84°): beyond, they turn away.
-constexpr double least_turn_cosine = 0.1;
+/// The least cosine between the normals of new triangles and the hole's (about 84°), where that is limited.
+constexpr double least_deviation_cosine = 0.1;
 
-/// Across an edge the surface may bend to this cosine (120°), or as far as it bent anywhere in the star before, whichever is
-/// more (a crease may move); beyond, it folds onto itself. Negative.
+/// The least cosine between the normals across an edge (a dihedral angle of 60°), or the least that the star had
+/// before, whichever is less (a crease may move); beyond, the surface folds onto itself. Negative.
 constexpr double sharpest_bend_cosine = -0.5;
 
-/// A laid-out triangle with less than this fraction of the hole's squared size is degenerate.
+/// A laid-out triangle with an area below this fraction of the hole's squared size is degenerate.
 constexpr double least_area = 1e-9;
 
-/// Cosine between two vectors where it is negative, else 0 (as almost always; then no root is needed). A triangle without
-/// area folds onto nothing.
+/// The cosine between two vectors where it is negative, else 0 (as almost always; then no root is needed). A zero
+/// vector, of a triangle without area, gives none.
 double negative_cosine(const glm::dvec3& a, const glm::dvec3& b) {
     const double product = glm::dot(a, b);
     return product < 0 ? product / std::sqrt(glm::dot(a, a) * glm::dot(b, b)) : 0;
@@ -33,116 +33,126 @@ double negative_cosine(const glm::dvec3& a, const glm::dvec3& b) {
 
 bool Legality::enter(const Surface& surface, const Rows& rows, const Hole& hole) {
     hole_ = &hole;
-    if (!removable(surface, hole)) return false;
+    if (!topology_allows_removal(surface, hole)) return false;
     surface_ = &surface;
-    taken_.assign(at(hole.size() * hole.size()), Taken::unknown);
-    if (surface.has_sites()) find_taken_edges(surface, hole);
-    if (touches_own_site(surface, hole)) return false;
-    if (hole.open && is_taken(0, hole.size() - 1)) return false; // the closing edge exists: the loop has three edges
-    if (minds_turns_) keep_to(star_normal(hole));
-    find_directions(hole);
+    edge_existence_.assign(to_index(hole.size() * hole.size()), EdgeExistence::unknown);
+    if (surface.has_coincident_vertices()) find_existing_edges(surface, hole);
+    if (touches_own_class(surface, hole)) return false;
+    if (hole.open && edge_exists(0, hole.size() - 1))
+        return false; // the closing edge exists: the boundary loop has three edges
+    if (limits_normal_deviation_) limit_deviation_from(star_normal(hole));
+    look_up_original_normals(hole);
     find_neighbours(surface, rows, hole);
     double squared_size = 0;
-    for (const glm::dvec2& place : hole.places) squared_size = std::max(squared_size, glm::dot(place, place));
+    for (const glm::dvec2& point : hole.layout) squared_size = std::max(squared_size, glm::dot(point, point));
     least_area_ = least_area * squared_size;
     return true;
 }
 
-bool Legality::removable(const Surface& surface, const Hole& hole) const {
+bool Legality::topology_allows_removal(const Surface& surface, const Hole& hole) const {
     if (hole.size() < 3) return false;
     if (hole.size() > 3 || hole.open) return true;
-    for (int rim = 0; rim < 3; ++rim) { // a ring of three: does its triangle exist on the other side?
-        const std::uint32_t across = surface.twin(hole.rims[at(rim)]);
-        if (across != no_index && surface.target(Surface::next(across)) == hole.ring[at((rim + 2) % 3)]) return false;
+    for (int link_edge = 0; link_edge < 3; ++link_edge) { // a triangle beyond would close a tetrahedron
+        const std::uint32_t across = surface.twin(hole.link_half_edges[to_index(link_edge)]);
+        if (across != no_index && surface.target(Surface::next(across)) == hole.ring[to_index((link_edge + 2) % 3)])
+            return false;
     }
-    return !surface.has_sites() || !surface.triangle_exists(hole.ring[0], hole.ring[1], hole.ring[2]);
+    return !surface.has_coincident_vertices() || !surface.triangle_exists(hole.ring[0], hole.ring[1], hole.ring[2]);
 }
 
-/// Ring vertices joined by an edge that is neither rim nor spoke: found by walking around each of them, on every sheet where
-/// it has a copy, since sheets are to touch nowhere but where they do.
-void Legality::find_taken_edges(const Surface& surface, const Hole& hole) {
-    std::fill(taken_.begin(), taken_.end(), Taken::no);
+/// Finds the ring vertices that are joined by an edge outside the star: by the one-rings of all vertices of their
+/// coincidence classes, since sheets must not come to touch where they do not.
+void Legality::find_existing_edges(const Surface& surface, const Hole& hole) {
+    std::fill(edge_existence_.begin(), edge_existence_.end(), EdgeExistence::no);
     ring_filter_ = 0;
-    sites_.clear();
-    for (const std::uint32_t vertex : hole.ring) sites_.push_back(surface.site(vertex));
-    for (const std::uint32_t site : sites_) ring_filter_ |= std::uint64_t{1} << (site % 64);
+    ring_representatives_.clear();
+    for (const std::uint32_t vertex : hole.ring) ring_representatives_.push_back(surface.representative(vertex));
+    for (const std::uint32_t representative : ring_representatives_)
+        ring_filter_ |= std::uint64_t{1} << (representative % 64);
     for (int i = 0; i < hole.size(); ++i) {
-        const auto see_neighbour = [&](std::uint32_t neighbour) {
-            see(surface.site(neighbour), i);
+        const auto mark_neighbour = [&](std::uint32_t neighbour) {
+            mark_edges_to(surface.representative(neighbour), i);
             return true;
         };
-        surface.for_each_in_site(hole.ring[at(i)],
-                                 [&](std::uint32_t vertex) { surface.all_of_ring(vertex, see_neighbour); });
-        see(sites_[at(i)], i); // no edge joins two copies of one vertex
+        surface.for_each_coincident(hole.ring[to_index(i)],
+                                    [&](std::uint32_t vertex) { surface.all_of_ring(vertex, mark_neighbour); });
+        mark_edges_to(ring_representatives_[to_index(i)], i); // no edge may join two vertices of one class
     }
 }
 
-/// Of ring positions that are no neighbours on the ring.
-bool Legality::is_taken(int i, int j) {
-    Taken& taken = taken_[at(i * hole_->size() + j)];
-    if (taken == Taken::unknown) {
-        const std::uint32_t end = hole_->ring[at(j)];
+/// Of ring indices that are not adjacent on the ring.
+bool Legality::edge_exists(int i, int j) {
+    EdgeExistence& existence = edge_existence_[to_index(i * hole_->size() + j)];
+    if (existence == EdgeExistence::unknown) {
+        const std::uint32_t end = hole_->ring[to_index(j)];
         const auto is_other = [&](std::uint32_t neighbour) { return neighbour != end; };
-        taken = surface_->all_of_ring(hole_->ring[at(i)], is_other) ? Taken::no : Taken::yes;
+        existence = surface_->all_of_ring(hole_->ring[to_index(i)], is_other) ? EdgeExistence::no : EdgeExistence::yes;
     }
-    return taken == Taken::yes;
+    return existence == EdgeExistence::yes;
 }
 
 bool Legality::allows_diagonals(const Retriangulation& retriangulation) {
     bool all = true;
     for (const NewTriangle& triangle : retriangulation.triangles)
-        if (triangle.parent >= 0 && is_taken(triangle.a, triangle.b)) all = false;
+        if (triangle.parent >= 0 && edge_exists(triangle.a, triangle.b)) all = false;
     return all;
 }
 
-/// The edge from ring position i to every ring position that is a copy of the site is taken.
-void Legality::see(std::uint32_t site, int i) {
-    if (!(ring_filter_ >> (site % 64) & 1)) return;
+/// Marks the edges from ring index i to all ring indices of a coincidence class.
+void Legality::mark_edges_to(std::uint32_t representative, int i) {
+    if (!(ring_filter_ >> (representative % 64) & 1)) return;
     for (int j = 0; j < hole_->size(); ++j)
-        if (sites_[at(j)] == site) take(i, j);
+        if (ring_representatives_[to_index(j)] == representative) mark_existing_edge(i, j);
 }
 
-/// Whether an edge of the input joins two vertices of the candidate's site: their stars overlap, and cannot go at once.
-bool Legality::touches_own_site(const Surface& surface, const Hole& hole) const {
-    return surface.has_sites() && std::find(sites_.begin(), sites_.end(), surface.site(hole.candidate)) != sites_.end();
+/// Whether an edge joins two vertices of the candidate's coincidence class: their stars overlap, and cannot be removed
+/// at once.
+bool Legality::touches_own_class(const Surface& surface, const Hole& hole) const {
+    return surface.has_coincident_vertices() &&
+           std::find(ring_representatives_.begin(), ring_representatives_.end(),
+                     surface.representative(hole.candidate)) != ring_representatives_.end();
 }
 
-void Legality::take(int i, int j) {
-    taken_[at(i * hole_->size() + j)] = taken_[at(j * hole_->size() + i)] = Taken::yes;
+void Legality::mark_existing_edge(int i, int j) {
+    edge_existence_[to_index(i * hole_->size() + j)] = edge_existence_[to_index(j * hole_->size() + i)] =
+        EdgeExistence::yes;
 }
 
-void Legality::keep_to(const glm::dvec3& normal) {
+void Legality::limit_deviation_from(const glm::dvec3& normal) {
     const double length = glm::length(normal);
     normal_ = length > 0 ? normal / length : normal;
-    least_cosine_ = length > 0 ? least_turn_cosine : 0; // from no direction nothing turns away
+    least_cosine_ = length > 0 ? least_deviation_cosine : 0; // without a normal there is no deviation
 }
 
-void Legality::find_directions(const Hole& hole) {
-    directions_.clear();
-    for (const std::uint32_t vertex : hole.ring) directions_.push_back(original_.direction(vertex));
+void Legality::look_up_original_normals(const Hole& hole) {
+    original_normals_.clear();
+    for (const std::uint32_t vertex : hole.ring) original_normals_.push_back(original_.normal(vertex));
 }
 
 void Legality::find_neighbours(const Surface& surface, const Rows& rows, const Hole& hole) {
-    neighbours_.assign(at(hole.sectors()), glm::dvec3(0));
+    neighbours_.assign(to_index(hole.sectors()), glm::dvec3(0));
     for (int i = 0; i < hole.sectors(); ++i) {
-        const std::uint32_t twin = surface.twin(hole.rims[at(i)]);
+        const std::uint32_t twin = surface.twin(hole.link_half_edges[to_index(i)]);
         if (twin == no_index) continue;
-        const glm::dvec3 &p = hole.positions[at(i)],
-                         &q = hole.positions[at(hole.after(i))]; // the twin runs from q to p
+        const glm::dvec3 &p = hole.positions[to_index(i)],
+                         &q = hole.positions[to_index(hole.after(i))]; // the twin runs from q to p
         const glm::dvec3 tip = rows.position(surface.target(Surface::next(twin)));
-        neighbours_[at(i)] = glm::cross(p - q, tip - q);
+        neighbours_[to_index(i)] = glm::cross(p - q, tip - q);
     }
 }
 
-/// The least cosine across the star's spokes and rims, as the surface is now; 0 where all are positive.
+/// The least cosine between the normals across the star's spokes and link edges before the removal; 0 where all are
+/// positive.
 double Legality::sharpest_bend() const {
     const Hole& hole = *hole_;
-    const auto sector = [&](int i) { return glm::cross(hole.spokes[at(i)], hole.spokes[at(hole.after(i))]); };
+    const auto sector = [&](int i) {
+        return glm::cross(hole.spokes[to_index(i)], hole.spokes[to_index(hole.after(i))]);
+    };
     double least = 0;
     glm::dvec3 before = hole.open ? glm::dvec3(0) : sector(hole.sectors() - 1);
     for (int i = 0; i < hole.sectors(); ++i) {
         const glm::dvec3 here = sector(i);
-        least = std::min({least, negative_cosine(before, here), negative_cosine(here, neighbours_[at(i)])});
+        least = std::min({least, negative_cosine(before, here), negative_cosine(here, neighbours_[to_index(i)])});
         before = here;
     }
     return least;
@@ -150,42 +160,43 @@ double Legality::sharpest_bend() const {
 
 /// The candidate of an open hole goes to the closing edge, so every diagonal must leave it on that side.
 bool Legality::leaves_candidate(int i, int j) const {
-    return orientation(hole_->places[at(i)], hole_->places[at(j)], glm::dvec2(0)) >= 0;
+    return orientation(hole_->layout[to_index(i)], hole_->layout[to_index(j)], glm::dvec2(0)) >= 0;
 }
 
-/// Whether two triangles beside an edge, given by their normals, bend too far there.
+/// Whether the surface folds at an edge between two triangles, given by their normals.
 bool Legality::folds(const glm::dvec3& p, const glm::dvec3& q) const {
-    const double cosine = negative_cosine(p, q); // few are so small that the star is asked how far it bent
+    const double cosine = negative_cosine(p, q); // few are so small that sharpest_bend is needed
     return cosine < sharpest_bend_cosine && cosine < sharpest_bend();
 }
 
-bool Legality::folds_onto_neighbour(const RingTriangle& triangle, int rim) const {
-    if (rim >= hole_->sectors()) return false; // the closing edge of an open hole
-    return folds(neighbours_[at(rim)], triangle.normal);
+bool Legality::folds_onto_neighbour(const RingTriangle& triangle, int link_edge) const {
+    if (link_edge >= hole_->sectors()) return false; // the closing edge of an open hole
+    return folds(neighbours_[to_index(link_edge)], triangle.normal);
 }
 
 bool Legality::allows_triangle(const RingTriangle& triangle) const {
     const auto& [a, m, b, u, v, w, normal, length] = triangle;
-    if (minds_turns_ && glm::dot(normal, normal_) < least_cosine_ * length) return false;
+    if (limits_normal_deviation_ && glm::dot(normal, normal_) < least_cosine_ * length) return false;
     if (m == a + 1 && folds_onto_neighbour(triangle, a)) return false;
     if (b == m + 1 && folds_onto_neighbour(triangle, m)) return false;
     if (a == 0 && b == hole_->size() - 1 && folds_onto_neighbour(triangle, b)) return false;
-    return !turns_from_original(triangle);
+    return !deviates_from_original(triangle);
 }
 
-/// More than a right angle against the original, and more than any triangle that the original has at its corners.
-bool Legality::turns_from_original(const RingTriangle& triangle) const {
+/// By more than a right angle, and by more than any triangle of the original at its corners.
+bool Legality::deviates_from_original(const RingTriangle& triangle) const {
     const auto& [a, m, b, u, v, w, normal, length] = triangle;
-    const glm::dvec3 mean = directions_[at(a)] + directions_[at(m)] + directions_[at(b)];
+    const glm::dvec3 mean =
+        original_normals_[to_index(a)] + original_normals_[to_index(m)] + original_normals_[to_index(b)];
     const double product = glm::dot(mean, normal);
     if (!(product < 0)) return false; // as almost always; then no root is needed
     const std::vector<std::uint32_t>& ring = hole_->ring;
-    const double least = original_.least_cosine({ring[at(a)], ring[at(m)], ring[at(b)]});
+    const double least = original_.least_cosine({ring[to_index(a)], ring[to_index(m)], ring[to_index(b)]});
     return product < least * glm::length(mean) * length;
 }
 
 bool Legality::allows_neighbours(const RingTriangle& triangle, const glm::dvec3* left, const glm::dvec3* right) const {
-    if (minds_turns_) return true; // keeping to one normal, they keep to each other
+    if (limits_normal_deviation_) return true; // all of them are near one normal, so near each other
     return (!left || !folds(triangle.normal, *left)) && (!right || !folds(triangle.normal, *right));
 }
 

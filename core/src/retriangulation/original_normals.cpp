@@ -5,14 +5,14 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/upper_float.hpp"
+#include "geometry/round_up_to_float.hpp"
 
 namespace meshbound {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// A direction as the longest vector of whole numbers that fits.
+/// A unit vector, quantized.
 glm::i16vec3 whole_numbers(const glm::dvec3& unit) { return glm::i16vec3(glm::floor(32767.0 * unit + 0.5)); }
 
 /// Calls `visit` with each triangle, its corners and its area vector.
@@ -43,28 +43,29 @@ OriginalNormals::OriginalNormals(const Surface& surface, const Rows& rows) {
         const double product = glm::dot(mean, vector);
         if (!(product < 0)) return;
         const double cosine = product / (glm::length(mean) * glm::length(vector));
-        for (const std::uint32_t corner : corners) turns_.push_back({corner, -upper_float(-cosine)});
+        for (const std::uint32_t corner : corners) deviations_.push_back({corner, -round_up_to_float(-cosine)});
     });
-    std::sort(turns_.begin(), turns_.end(),
-              [](const Turn& a, const Turn& b) { return std::tie(a.vertex, a.cosine) < std::tie(b.vertex, b.cosine); });
-    const auto same_vertex = [](const Turn& a, const Turn& b) { return a.vertex == b.vertex; };
-    turns_.erase(std::unique(turns_.begin(), turns_.end(), same_vertex), turns_.end());
-    turns_.shrink_to_fit();
+    std::sort(deviations_.begin(), deviations_.end(), [](const Deviation& a, const Deviation& b) {
+        return std::tie(a.vertex, a.cosine) < std::tie(b.vertex, b.cosine);
+    });
+    const auto same_vertex = [](const Deviation& a, const Deviation& b) { return a.vertex == b.vertex; };
+    deviations_.erase(std::unique(deviations_.begin(), deviations_.end(), same_vertex), deviations_.end());
+    deviations_.shrink_to_fit();
 }
 
-/// 0 where none turns.
+/// 0 where none deviates by more than a right angle.
 float OriginalNormals::least_cosine(std::uint32_t vertex) const {
-    const auto turn = std::lower_bound(turns_.begin(), turns_.end(), vertex,
-                                       [](const Turn& a, std::uint32_t b) { return a.vertex < b; });
-    return turn != turns_.end() && turn->vertex == vertex ? turn->cosine : 0.0F;
+    const auto deviation = std::lower_bound(deviations_.begin(), deviations_.end(), vertex,
+                                            [](const Deviation& a, std::uint32_t b) { return a.vertex < b; });
+    return deviation != deviations_.end() && deviation->vertex == vertex ? deviation->cosine : 0.0F;
 }
 
 double OriginalNormals::least_cosine(const Corners& corners) const {
     return std::min({least_cosine(corners[0]), least_cosine(corners[1]), least_cosine(corners[2])});
 }
 
-std::size_t OriginalNormals::count_turned(const Surface& surface, const Rows& rows,
-                                          const std::function<std::size_t(std::uint32_t)>& sides) const {
+std::size_t OriginalNormals::count_flipped_normals(const Surface& surface, const Rows& rows,
+                                                   const std::function<std::size_t(std::uint32_t)>& sides) const {
     std::size_t count = 0;
     for_each_triangle(surface, rows, [&](std::uint32_t slot, const Corners& corners, const glm::dvec3& vector) {
         if (glm::dot(sum(corners), vector) < 0) count += sides(slot);

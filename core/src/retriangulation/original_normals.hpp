@@ -14,40 +14,41 @@
 
 namespace meshbound {
 
-/// Where the original faces, at its vertices and between them. A reduced triangle stands for the original between three of
-/// its vertices. It turns more than a right angle against it where its own normal does so against the mean of the original's
-/// normals at these, each of which is the area-weighted mean of those of the triangles there.
+/// The original's vertex normals, area-weighted. A reduced triangle stands for the original between three of its
+/// vertices; the deviation of its normal is the angle to the mean of the original's normals at these. Beyond a right
+/// angle the normal counts as flipped.
 class OriginalNormals {
 public:
-    /// The surface is the original still.
+    /// To be made before anything is removed.
     OriginalNormals(const Surface& surface, const Rows& rows);
 
-    /// Where the original faces at a vertex; all of one length, but for rounding, or zero where it faces nowhere.
-    glm::dvec3 direction(std::uint32_t vertex) const { return glm::dvec3(normals_[vertex]); }
+    /// The normal at a vertex; all of one length, but for rounding, or zero where the triangles there have none.
+    glm::dvec3 normal(std::uint32_t vertex) const { return glm::dvec3(normals_[vertex]); }
 
-    /// The least cosine by which a triangle of the original turns at one of these vertices; 0 where none turns more than a
-    /// right angle.
+    /// The least cosine of the deviations of the original triangles at these vertices; 0 where none is beyond a right
+    /// angle.
     double least_cosine(const std::array<std::uint32_t, 3>& corners) const;
 
-    /// How many triangles of a surface over the same vertices turn more than a right angle; each counts `sides(triangle)` times.
-    std::size_t count_turned(const Surface& surface, const Rows& rows,
-                             const std::function<std::size_t(std::uint32_t)>& sides) const;
+    /// How many triangles of a surface over the same vertices have a flipped normal; each counts `sides(triangle)`
+    /// times.
+    std::size_t count_flipped_normals(const Surface& surface, const Rows& rows,
+                                      const std::function<std::size_t(std::uint32_t)>& sides) const;
 
 private:
     glm::dvec3 sum(const std::array<std::uint32_t, 3>& corners) const {
-        return direction(corners[0]) + direction(corners[1]) + direction(corners[2]);
+        return normal(corners[0]) + normal(corners[1]) + normal(corners[2]);
     }
 
-    /// The least cosine by which an original triangle turns at a vertex.
-    struct Turn {
+    /// The least cosine of the deviations at a vertex.
+    struct Deviation {
         std::uint32_t vertex;
         float cosine; // negative, rounded down
     };
     float least_cosine(std::uint32_t vertex) const;
 
-    // In whole numbers, which are enough for a direction.
-    std::vector<glm::i16vec3> normals_; // by vertex, all of one length; zero where the original faces nowhere
-    std::vector<Turn> turns_;           // by rising vertices, the few at which one turns
+    // Quantized, which is precise enough for a direction.
+    std::vector<glm::i16vec3> normals_; // by vertex, all of one length, or zero
+    std::vector<Deviation> deviations_; // in the order of vertices: the few with a deviation beyond a right angle
 };
 
 } // namespace meshbound

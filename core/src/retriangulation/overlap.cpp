@@ -2,11 +2,11 @@
 
 namespace meshbound {
 
-RingRun overlapped_sectors(const Hole& hole, int a, int m, int b) {
+RingRange overlapped_sectors(const Hole& hole, int a, int m, int b) {
     const int size = hole.size();
-    if (!holds_candidate(hole, a, b)) return {a, b - a};
-    if (holds_candidate(hole, a, m)) return {m, size - (m - a)};
-    if (holds_candidate(hole, m, b)) return {b, size - (b - m)};
+    if (!contains_candidate(hole, a, b)) return {a, b - a};
+    if (contains_candidate(hole, a, m)) return {m, size - (m - a)};
+    if (contains_candidate(hole, m, b)) return {b, size - (b - m)};
     return {0, hole.sectors()};
 }
 

@@ -5,20 +5,20 @@
 
 #include <glm/geometric.hpp>
 
-#include "util/indexing.hpp"
 #include "retriangulation/ring_triangle.hpp"
+#include "util/indexing.hpp"
 
 namespace meshbound {
 namespace {
 
 constexpr double impossible = std::numeric_limits<double>::infinity();
 
-/// Weight of shape beside the squared errors (1 is the bound): large enough to part retriangulations whose errors are alike,
-/// small enough never to buy a shape with an error that counts.
+/// Weight of the shape penalty beside the squared errors (1 is the bound): large enough to decide between
+/// retriangulations with equal errors, small enough never to trade a noticeable error for a better shape.
 constexpr double shape_weight = 1e-6;
 
-/// 1 for the equilateral triangle, growing with every needle; bounded so that a degenerate one can still be chosen.
-double shapelessness(const RingTriangle& triangle) {
+/// 1 for the equilateral triangle, larger for needles; bounded, so that a degenerate triangle can still be chosen.
+double shape_penalty(const RingTriangle& triangle) {
     const double edges =
         glm::dot(triangle.u, triangle.u) + glm::dot(triangle.v, triangle.v) + glm::dot(triangle.w, triangle.w);
     constexpr double worst = 1e3, equilateral = 3.4641016151377544; // 2 √3: edges / area of the equilateral triangle
@@ -28,52 +28,53 @@ double shapelessness(const RingTriangle& triangle) {
 
 } // namespace
 
-/// The cheapest filling of the sub-polygon a … b by a triangle on (a, b) and the fillings of what it leaves.
+/// The cheapest triangulation of the sub-polygon a … b: a triangle on (a, b) and those of the two sub-polygons that it
+/// leaves.
 void Retriangulator::fill(const Hole& hole, const Legality& legality, HoleCost& cost, int a, int b) {
     const int size = hole.size();
-    double& best = cost_[at(a * size + b)];
+    double& best = cost_[to_index(a * size + b)];
     for (int m = a + 1; m < b; ++m) {
-        const double parts = cost_[at(a * size + m)] + cost_[at(m * size + b)];
-        if (!(parts < best) || !legality.lies_open(a, m, b)) continue;
+        const double sub_costs = cost_[to_index(a * size + m)] + cost_[to_index(m * size + b)];
+        if (!(sub_costs < best) || !legality.is_ccw_in_layout(a, m, b)) continue;
         const RingTriangle triangle(hole, a, m, b);
         if (!legality.allows_triangle(triangle)) continue;
-        const double shaped = parts + shape_weight * shapelessness(triangle);
+        const double shaped = sub_costs + shape_weight * shape_penalty(triangle);
         if (!(shaped < best)) continue; // costs are never negative
         const double total = shaped + cost.triangle(a, m, b, best - shaped);
         if (!(total < best)) continue;
         if (!legality.allows_neighbours(triangle, normal_across(size, a, m), normal_across(size, m, b))) continue;
         best = total;
-        middle_[at(a * size + b)] = m;
-        normal_[at(a * size + b)] = triangle.normal;
+        middle_[to_index(a * size + b)] = m;
+        normal_[to_index(a * size + b)] = triangle.normal;
     }
 }
 
 void Retriangulator::solve(const Hole& hole, const Legality& legality, HoleCost& cost) {
     const int size = hole.size();
-    cost_.assign(at(size * size), impossible);
-    middle_.assign(at(size * size), -1);
-    normal_.resize(at(size * size));
-    for (int a = 0; a + 1 < size; ++a) cost_[at(a * size + a + 1)] = 0;
+    cost_.assign(to_index(size * size), impossible);
+    middle_.assign(to_index(size * size), -1);
+    normal_.resize(to_index(size * size));
+    for (int a = 0; a + 1 < size; ++a) cost_[to_index(a * size + a + 1)] = 0;
     for (int span = 2; span < size; ++span) {
         for (int a = 0; a + span < size; ++a) {
             const int b = a + span;
             if (!legality.allows_edge(a, b)) continue;
             fill(hole, legality, cost, a, b);
-            double& best = cost_[at(a * size + b)];
+            double& best = cost_[to_index(a * size + b)];
             if (span < size - 1 && best < impossible) best += cost.diagonal(a, b);
         }
     }
 }
 
-/// The tree of triangles from the table of middles, root first.
-void Retriangulator::unfold(int size, Retriangulation& best) const {
+/// Builds the tree of triangles from the table of middle corners, root first.
+void Retriangulator::build_tree(int size, Retriangulation& best) const {
     std::vector<NewTriangle>& triangles = best.triangles;
     triangles.clear();
-    triangles.push_back({0, middle_[at(size - 1)], size - 1});
+    triangles.push_back({0, middle_[to_index(size - 1)], size - 1});
     for (std::size_t n = 0; n < triangles.size(); ++n) {
         const auto grow = [&](int a, int b) {
             if (b == a + 1) return -1;
-            NewTriangle child{a, middle_[at(a * size + b)], b};
+            NewTriangle child{a, middle_[to_index(a * size + b)], b};
             child.parent = static_cast<int>(n);
             triangles.push_back(child);
             return static_cast<int>(triangles.size() - 1);
@@ -88,25 +89,25 @@ void Retriangulator::unfold(int size, Retriangulation& best) const {
 bool Retriangulator::triangulate(const Hole& hole, Legality& legality, HoleCost& cost, Retriangulation& best) {
     do {
         solve(hole, legality, cost);
-        if (!(cost_[at(hole.size() - 1)] < impossible)) return false;
-        unfold(hole.size(), best);
+        if (!(cost_[to_index(hole.size() - 1)] < impossible)) return false;
+        build_tree(hole.size(), best);
     } while (!legality.allows_diagonals(best));
     return true;
 }
 
 bool Retriangulator::fan(const Hole& hole, Legality& legality, int hub, Retriangulation& best) {
     const int size = hole.size();
-    middle_.assign(at(size * size), -1);
-    normal_.resize(at(size * size));
-    for (int a = 0; a + 1 < hub; ++a) middle_[at(a * size + hub)] = a + 1;
-    for (int b = hub + 2; b < size; ++b) middle_[at(hub * size + b)] = b - 1;
-    if (hub > 0 && hub < size - 1) middle_[at(size - 1)] = hub;
-    unfold(size, best);
+    middle_.assign(to_index(size * size), -1);
+    normal_.resize(to_index(size * size));
+    for (int a = 0; a + 1 < hub; ++a) middle_[to_index(a * size + hub)] = a + 1;
+    for (int b = hub + 2; b < size; ++b) middle_[to_index(hub * size + b)] = b - 1;
+    if (hub > 0 && hub < size - 1) middle_[to_index(size - 1)] = hub;
+    build_tree(size, best);
     const auto is_legal = [&](const NewTriangle& triangle) {
         const int a = triangle.a, m = triangle.m, b = triangle.b;
-        if (!legality.allows_edge(a, b) || !legality.lies_open(a, m, b)) return false;
+        if (!legality.allows_edge(a, b) || !legality.is_ccw_in_layout(a, m, b)) return false;
         const RingTriangle in_space(hole, a, m, b);
-        normal_[at(a * size + b)] = in_space.normal;
+        normal_[to_index(a * size + b)] = in_space.normal;
         return legality.allows_triangle(in_space) &&
                legality.allows_neighbours(in_space, normal_across(size, a, m), normal_across(size, m, b));
     };
@@ -114,9 +115,9 @@ bool Retriangulator::fan(const Hole& hole, Legality& legality, int hub, Retriang
     return std::all_of(triangles.rbegin(), triangles.rend(), is_legal) && legality.allows_diagonals(best);
 }
 
-/// Of the triangle on the other side of (a, b), as it is chosen; none across a rim.
+/// The normal of the triangle chosen beyond (a, b); null for a link edge.
 const glm::dvec3* Retriangulator::normal_across(int size, int a, int b) const {
-    return b == a + 1 ? nullptr : &normal_[at(a * size + b)];
+    return b == a + 1 ? nullptr : &normal_[to_index(a * size + b)];
 }
 
 } // namespace meshbound

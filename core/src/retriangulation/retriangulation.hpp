@@ -2,35 +2,37 @@
 
 #include <vector>
 
-#include "surface/hole.hpp"
 #include "retriangulation/legality.hpp"
+#include "surface/hole.hpp"
 
 namespace meshbound {
 
-/// What a retriangulation is charged for (§3.4.1). Costs add up over its diagonals and triangles and are never negative.
+/// The cost of a retriangulation (§3.4.1): a sum over its diagonals and triangles, none of which is negative.
 class HoleCost {
 public:
     virtual ~HoleCost() = default;
-    /// Cost of the diagonal between ring positions i < j.
+    /// Cost of the diagonal between ring indices i < j.
     virtual double diagonal(int i, int j) = 0;
-    /// Cost of the triangle of ring positions a < m < b; may stop early, with a lower bound of it that is not below `limit`.
+    /// Cost of the triangle of ring indices a < m < b; may stop early, with a lower bound of it that is not below
+    /// `limit`.
     virtual double triangle(int a, int m, int b, double limit) = 0;
 };
 
-/// The cheapest legal triangulation of a hole, by dynamic programming over the polygon: O(k³) triangles for k corners. It
-/// stands for the greedy start and edge flips of §3.4. How far neighbours bend is asked of the cheapest parts alone.
+/// Finds the cheapest legal triangulation of a hole, by dynamic programming over the polygon: O(k³) triangles for k
+/// corners. It takes the place of the greedy start and edge flips of §3.4. Folds between neighbours are checked against
+/// the cheapest triangulations of sub-polygons only, so they are no part of the optimum.
 class Retriangulator {
 public:
     /// Fills `best`; false where no legal triangulation exists.
     bool triangulate(const Hole& hole, Legality& legality, HoleCost& cost, Retriangulation& best);
 
-    /// The triangulation whose triangles all meet at ring position `hub`; false where it is not legal.
+    /// The triangulation whose triangles all meet at ring index `hub`; false where it is not legal.
     bool fan(const Hole& hole, Legality& legality, int hub, Retriangulation& best);
 
 private:
     void solve(const Hole& hole, const Legality& legality, HoleCost& cost);
     void fill(const Hole& hole, const Legality& legality, HoleCost& cost, int a, int b);
-    void unfold(int size, Retriangulation& best) const;
+    void build_tree(int size, Retriangulation& best) const;
     const glm::dvec3* normal_across(int size, int a, int b) const;
 
     std::vector<double> cost_;       // [a * size + b]: cheapest filling of the sub-polygon a … b

@@ -6,7 +6,7 @@
 namespace meshbound {
 namespace {
 
-/// A place in the triangle of the sheet that has the same corners.
+/// The same point, in the triangle of the sheet that has the same corners.
 MapPlace on_sheet(const MapPlace& place, const Mesh& reduced, const OneSided& sheet) {
     if (place.triangle == nowhere) return place;
     MapPlace here{sheet.triangles_in_shape()[place.triangle], glm::dvec3(0)};
@@ -27,8 +27,8 @@ SurfaceMap map_onto_sheet(const MappedSurfaces& both, const OneSided& sheet) {
 } // namespace
 
 OneSidedPair::OneSidedPair(const MappedSurfaces& both)
-    : original_(both.original, OneSided::Turning::as_reduced, labels_),
-      reduced_(both.reduced, OneSided::Turning::none, labels_), map_(map_onto_sheet(both, reduced_)),
+    : original_(both.original, OneSided::Orienting::as_reduced, labels_),
+      reduced_(both.reduced, OneSided::Orienting::none, labels_), map_(map_onto_sheet(both, reduced_)),
       surfaces_(original_.shape(), reduced_.shape(), both.vertices, map_) {}
 
 Segmentation OneSidedPair::on_both_sides(const Segmentation& one_sided) const {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "mesh/kept_vertices.hpp"
-#include "meshbound/validate.hpp"
-#include "util/number_text.hpp"
 #include "mesh/repeats_vertex.hpp"
-#include "segmentation/segmentation_faces.hpp"
+#include "meshbound/validate.hpp"
+#include "segmentation/face_lookup.hpp"
+#include "util/number_text.hpp"
 
 namespace meshbound {
 namespace {
@@ -82,7 +82,7 @@ bool is_at_corner(const MappedSurfaces& surfaces, const MapPlace& place, std::ui
     return false;
 }
 
-/// A vertex that is still there stays where it is.
+/// A kept vertex is mapped to itself.
 Status check_kept(const MappedSurfaces& surfaces) {
     for (std::uint32_t v = 0; v < surfaces.vertices.size(); ++v) {
         const std::uint32_t vertex = surfaces.vertices[v];
@@ -94,7 +94,7 @@ Status check_kept(const MappedSurfaces& surfaces) {
     return {};
 }
 
-/// A triangle is mapped as a whole, or not at all where it is of a part that was left out.
+/// A triangle is mapped as a whole, or not at all where its component was dropped.
 Status check_triangles(const MappedSurfaces& surfaces) {
     const std::vector<glm::uvec3>& triangles = surfaces.original.triangles;
     const auto is_mapped = [&](std::uint32_t vertex) { return surfaces.map.places[vertex].triangle != nowhere; };
@@ -107,12 +107,12 @@ Status check_triangles(const MappedSurfaces& surfaces) {
     return {};
 }
 
-bool is_inner_edge(const Faces& faces, const glm::uvec2& edge) {
+bool is_inner_edge(const FaceLookup& faces, const glm::uvec2& edge) {
     return faces.left_of(edge.x, edge.y) != nowhere && faces.left_of(edge.y, edge.x) != nowhere;
 }
 
 /// What is wrong with a crossing; nothing, if all is well.
-std::string fault_of_crossing(const MappedSurfaces& surfaces, const Faces& faces, std::size_t n) {
+std::string fault_of_crossing(const MappedSurfaces& surfaces, const FaceLookup& faces, std::size_t n) {
     const std::vector<MapCrossing>& crossings = surfaces.map.crossings;
     const MapCrossing& here = crossings[n];
     const std::size_t vertices = surfaces.map.places.size();
@@ -131,7 +131,7 @@ std::string fault_of_crossing(const MappedSurfaces& surfaces, const Faces& faces
 }
 
 Status check_crossings(const MappedSurfaces& surfaces) {
-    const Faces faces(surfaces.reduced);
+    const FaceLookup faces(surfaces.reduced);
     for (std::size_t n = 0; n < surfaces.map.crossings.size(); ++n)
         if (const std::string fault = fault_of_crossing(surfaces, faces, n); !fault.empty())
             return bad_map("Crossing " + text(n) + " of the map lies " + fault + ".", n);

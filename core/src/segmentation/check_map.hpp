@@ -6,13 +6,14 @@
 
 namespace meshbound {
 
-/// Barycentric coordinates add up to 1 but for the rounding of a few products; those of a place in another triangle miss it by
-/// the weight of a corner.
+/// Barycentric coordinates add up to 1 but for the rounding of a few products; those of a point in another triangle
+/// miss it by the weight of a corner.
 inline constexpr double rounding_of_shares = 1e-9;
 
-/// Whether both surfaces are valid, and whatever the map between them names is there: triangles, vertices, edges that are
-/// crossed, and places on them. Whether its cells fit too shows when they are cut. Faults: those of validate; bad_map, with the
-/// vertex of the original or of the reduced mesh, the triangle of the original or the crossing at fault.
+/// Whether both surfaces are valid, and whatever the map between them names is there: triangles, vertices, edges that
+/// are crossed, and points on them. Whether its cells fit, too, is found out when they are cut. Faults: those of
+/// validate; bad_map, with the vertex of the original or of the reduced mesh, the triangle of the original or the
+/// crossing at fault.
 Status check_map(const MappedSurfaces& surfaces);
 
 /// Whether each crossing is a corner of the segmentation that the map led to. Fault: bad_map, with the crossing.

@@ -7,8 +7,8 @@
 #include <utility>
 #include <variant>
 
-#include "segmentation/check_map.hpp"
 #include "meshbound/segmentation.hpp"
+#include "segmentation/check_map.hpp"
 #include "util/out_of_memory.hpp"
 
 namespace meshbound {
@@ -27,7 +27,7 @@ MorphPlaces on_finer(const MappedSurfaces& surfaces) {
     return corners;
 }
 
-/// A vertex that no triangle uses has no place: any serves (see leave_unused).
+/// A vertex that no triangle uses has no image: any point will do (see leave_unused).
 MorphPlaces on_coarser(const MappedSurfaces& surfaces) {
     MorphPlaces corners;
     for (const MapPlace& place : surfaces.map.places)
@@ -52,7 +52,7 @@ void leave_unused(const SurfaceMap& map, const std::vector<Variable>& finer, std
             coarser[i].values);
 }
 
-/// One component of a place. A weight of 1 gives the vertex's own value, bit for bit (a negative zero, too).
+/// One component at a point. A weight of 1 gives the vertex's own value, bit for bit (a negative zero, too).
 template <class Number>
 Number mixed(const std::vector<Number>& values, int components, const MorphPlace& place, int component) {
     double sum = 0;

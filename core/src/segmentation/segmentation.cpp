@@ -8,24 +8,24 @@
 
 #include <glm/geometric.hpp>
 
-#include "segmentation/both_sides.hpp"
-#include "segmentation/check_map.hpp"
 #include "mesh/orientation.hpp"
-#include "segmentation/oriented_segmentation.hpp"
-#include "util/out_of_memory.hpp"
 #include "mesh/repeats_vertex.hpp"
-#include "segmentation/segmentation_cutting.hpp"
-#include "segmentation/segmentation_faces.hpp"
-#include "segmentation/segmentation_outline.hpp"
-#include "segmentation/segmentation_pieces.hpp"
-#include "util/shared_loop.hpp"
-#include "util/ticker.hpp"
+#include "segmentation/both_sides.hpp"
+#include "segmentation/cell_cutter.hpp"
+#include "segmentation/cell_triangulation.hpp"
+#include "segmentation/check_map.hpp"
+#include "segmentation/face_lookup.hpp"
+#include "segmentation/fold_count.hpp"
+#include "segmentation/outline.hpp"
+#include "util/out_of_memory.hpp"
+#include "util/parallel_for.hpp"
+#include "util/progress_reporter.hpp"
 
 namespace meshbound {
 namespace {
 
-/// Barycentric coordinates of the place at `share` along an edge of a triangle.
-glm::dvec3 place_on_edge(const glm::uvec3& triangle, const glm::uvec2& edge, double share) {
+/// Barycentric coordinates of the point at `share` along an edge of a triangle.
+glm::dvec3 barycentric_on_edge(const glm::uvec3& triangle, const glm::uvec2& edge, double share) {
     glm::dvec3 place(0);
     for (int i = 0; i < 3; ++i) {
         if (triangle[i] == edge.x) place[i] = 1 - share;
@@ -34,8 +34,8 @@ glm::dvec3 place_on_edge(const glm::uvec3& triangle, const glm::uvec2& edge, dou
     return place;
 }
 
-glm::dvec3 place_at_vertex(const glm::uvec3& triangle, std::uint32_t vertex) {
-    return place_on_edge(triangle, {vertex, vertex}, 1);
+glm::dvec3 barycentric_at_vertex(const glm::uvec3& triangle, std::uint32_t vertex) {
+    return barycentric_on_edge(triangle, {vertex, vertex}, 1);
 }
 
 double area(const Mesh& mesh, const glm::uvec3& triangle) {
@@ -57,18 +57,18 @@ double area(const Mesh& mesh, const Sides& sides) {
 }
 
 /// Whether a corner lies in the reduced triangle of its cell: elsewhere its coordinates in that do not add up.
-bool lies_inside(const CellPlace& corner) {
+bool lies_inside(const CellCorner& corner) {
     return std::abs(corner.reduced.x + corner.reduced.y + corner.reduced.z - 1) <= rounding_of_shares;
 }
 
-/// Two surfaces, prepared for being looked up in; by several threads, too.
+/// The lookup tables of two surfaces; several threads may read them.
 struct Prepared {
     Prepared(const MappedSurfaces& mapped, const Sides& of_original)
         : surfaces(mapped), sides(of_original), faces(mapped.reduced), outlines(mapped, faces) {}
 
     const MappedSurfaces& surfaces;
     const Sides& sides; // of the original's triangles
-    const Faces faces;
+    const FaceLookup faces;
     const Outlines outlines;
 };
 
@@ -79,8 +79,8 @@ public:
         : surfaces_(prepared.surfaces), sides_(prepared.sides), outlines_(prepared.outlines),
           cutter_(prepared.faces, prepared.surfaces.original.regions) {}
 
-    /// Adds the cells and pieces of a triangle, and what of them is folded (areas in the unit of the surfaces'). False where a
-    /// cell fits no reduced triangle, which ends it: the map is not one of these surfaces.
+    /// Adds the cells and pieces of a triangle, and how much of them is folded (areas in squared units of position).
+    /// Stops and returns false where a cell fits no reduced triangle: then the map is not one between these surfaces.
     bool add(std::uint32_t triangle, Segmentation& segmentation);
 
 private:
@@ -92,13 +92,13 @@ private:
     CellCutter cutter_;
     Outline outline_;
     CellTriangulation triangulation_;
-    std::vector<CellPlace> places_;
+    std::vector<CellCorner> corners_;
 };
 
 bool Segmenter::add(std::uint32_t triangle, Segmentation& segmentation) {
     const glm::uvec3& corners = surfaces_.original.triangles[triangle];
     if (repeats_vertex(corners)) return true;
-    if (surfaces_.map.places[corners.x].triangle == nowhere) return true; // of a part that was left out
+    if (surfaces_.map.places[corners.x].triangle == nowhere) return true; // of a component that was dropped
     outlines_.trace(triangle, outline_);
     std::size_t cell = segmentation.cells.size();
     cutter_.cut(triangle, outline_, segmentation);
@@ -111,16 +111,16 @@ bool Segmenter::cut_into_pieces(SegmentationCell& cell, Segmentation& segmentati
     if (cell.reduced == nowhere) return false;
     cell.first_piece = static_cast<std::uint32_t>(segmentation.pieces.size());
     const std::uint32_t* corners = &segmentation.corners[cell.first_corner];
-    places_.clear();
+    corners_.clear();
     for (std::uint32_t i = 0; i < cell.corner_count; ++i)
-        places_.push_back(
+        corners_.push_back(
             {place_in_original(surfaces_, cell, corners[i]), place_in_reduced(surfaces_, cell, corners[i])});
-    if (!std::all_of(places_.begin(), places_.end(), lies_inside)) return false;
+    if (!std::all_of(corners_.begin(), corners_.end(), lies_inside)) return false;
     const std::size_t folded_before = segmentation.folded_pieces, sides = sides_of(sides_, cell.original);
     const auto both = static_cast<double>(sides);
-    triangulation_.for_each_piece(places_, [&](std::size_t i, std::size_t j, std::size_t k) {
+    triangulation_.for_each_piece(corners_, [&](std::size_t i, std::size_t j, std::size_t k) {
         segmentation.pieces.push_back({corners[i], corners[j], corners[k]});
-        const PieceShares shares = piece_shares(places_[i], places_[j], places_[k]);
+        const PieceShares shares = piece_shares(corners_[i], corners_[j], corners_[k]);
         if (!shares.folded()) return;
         const Mesh &original = surfaces_.original, &reduced = surfaces_.reduced;
         segmentation.folded_pieces += sides;
@@ -163,22 +163,22 @@ Status does_not_fit(std::uint32_t triangle) {
             "", triangle};
 }
 
-/// Whose triangles lie on the same three vertices nowhere; how many sides they have is said apart.
+/// How many sides the triangles of either surface have, where no two of them coincide.
 struct SidesOfBoth {
     Sides original, reduced;
 };
 
-/// Of an original whose triangles agree already which side is the front one, and of a map that passed check_map.
+/// The original must be oriented consistently, and the map must have passed check_map.
 Status segment_oriented(const MappedSurfaces& surfaces, const SidesOfBoth& sides, Segmentation& segmentation,
                         const Progress& progress) {
     segmentation = {};
     const Prepared prepared(surfaces, sides.original);
     Segmenter segmenter(prepared);
-    Ticker ticker(progress);
+    ProgressReporter reporter(progress);
     const std::size_t triangles = surfaces.original.triangles.size();
     for (std::uint32_t triangle = 0; triangle < triangles; ++triangle) {
         if (!segmenter.add(triangle, segmentation)) return does_not_fit(triangle);
-        if (ticker.tick(1, triangle / static_cast<double>(triangles))) continue;
+        if (reporter.advance(1, triangle / static_cast<double>(triangles))) continue;
         segmentation = {};
         return {};
     }
@@ -187,15 +187,15 @@ Status segment_oriented(const MappedSurfaces& surfaces, const SidesOfBoth& sides
     return check_crossings_met(surfaces, segmentation);
 }
 
-/// The map is of the triangles as `reduce` turned them.
-Status segment_turned(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
+/// The map is that of the triangles as `reduce` oriented them.
+Status orient_and_segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
     Orientation orientation = orient(surfaces.original.triangles, vertex_count(surfaces.original));
-    if (orientation.turned == 0) return segment_oriented(surfaces, {}, segmentation, progress);
-    Mesh turned;
-    turned.position = surfaces.original.position;
-    turned.triangles = std::move(orientation.triangles);
-    turned.regions = surfaces.original.regions;
-    return segment_oriented({turned, surfaces}, {}, segmentation, progress);
+    if (orientation.flipped == 0) return segment_oriented(surfaces, {}, segmentation, progress);
+    Mesh oriented;
+    oriented.position = surfaces.original.position;
+    oriented.triangles = std::move(orientation.triangles);
+    oriented.regions = surfaces.original.regions;
+    return segment_oriented({oriented, surfaces}, {}, segmentation, progress);
 }
 
 /// The map is of one sheet, where `reduce` found triangles on the same three vertices.
@@ -214,20 +214,20 @@ Status segment_both_sides(const MappedSurfaces& surfaces, Segmentation& segmenta
 Status segment_checked(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
     if (has_coincident_triangles(surfaces.original) || has_coincident_triangles(surfaces.reduced))
         return segment_both_sides(surfaces, segmentation, progress);
-    return segment_turned(surfaces, segmentation, progress);
+    return orient_and_segment(surfaces, segmentation, progress);
 }
 
-/// A run of so many triangles takes a millisecond.
-constexpr std::size_t triangles_at_once = 1024;
+/// So many triangles take a millisecond.
+constexpr std::size_t triangles_per_chunk = 1024;
 
 } // namespace
 
 glm::dvec3 place_in_original(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner) {
     const glm::uvec3& triangle = surfaces.original.triangles[cell.original];
     const std::size_t vertices = surfaces.map.places.size();
-    if (corner < vertices) return place_at_vertex(triangle, corner);
+    if (corner < vertices) return barycentric_at_vertex(triangle, corner);
     const MapCrossing& crossing = surfaces.map.crossings[corner - vertices];
-    return place_on_edge(triangle, crossing.original, crossing.s);
+    return barycentric_on_edge(triangle, crossing.original, crossing.s);
 }
 
 glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner) {
@@ -235,26 +235,26 @@ glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCe
     const std::size_t vertices = surfaces.map.places.size();
     if (corner >= vertices) {
         const MapCrossing& crossing = surfaces.map.crossings[corner - vertices];
-        return place_on_edge(triangle, crossing.reduced, crossing.t);
+        return barycentric_on_edge(triangle, crossing.reduced, crossing.t);
     }
     const MapPlace& place = surfaces.map.places[corner];
     if (place.triangle == cell.reduced) return place.barycentric;
-    // Kept or on a curve, and named in a triangle beside the cell's.
+    // A kept vertex, or one on a curve, whose image is given in a neighbouring triangle.
     glm::dvec3 here(0);
     for (int i = 0; i < 3; ++i)
-        here += place.barycentric[i] * place_at_vertex(triangle, surfaces.reduced.triangles[place.triangle][i]);
+        here += place.barycentric[i] * barycentric_at_vertex(triangle, surfaces.reduced.triangles[place.triangle][i]);
     return here;
 }
 
-Folds count_folds(const MappedSurfaces& surfaces, const Sides& sides, Team& team, Ticker& ticker) {
+Folds count_folds(const MappedSurfaces& surfaces, const Sides& sides, ThreadPool& pool, ProgressReporter& reporter) {
     if (surfaces.map.places.empty()) return {};
     const Prepared prepared(surfaces, sides);
-    team.gather();
-    std::vector<FoldCounter> counters(team.size(), FoldCounter(prepared));
-    const auto count = [&](std::size_t member, std::size_t triangle) {
-        counters[member].add(static_cast<std::uint32_t>(triangle));
+    pool.start();
+    std::vector<FoldCounter> counters(pool.size(), FoldCounter(prepared));
+    const auto count = [&](std::size_t worker, std::size_t triangle) {
+        counters[worker].add(static_cast<std::uint32_t>(triangle));
     };
-    if (!share_out(team, ticker, surfaces.original.triangles.size(), triangles_at_once, count)) return {};
+    if (!parallel_for(pool, reporter, surfaces.original.triangles.size(), triangles_per_chunk, count)) return {};
     Folds folds;
     for (const FoldCounter& counter : counters) counter.add_to(folds);
     return folds;

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "mesh/half_edge_runs.hpp"
+#include "mesh/half_edges_by_edge.hpp"
 #include "mesh/orientation.hpp"
 #include "mesh/repeats_vertex.hpp"
 
@@ -36,9 +36,9 @@ std::vector<std::pair<Corners, std::uint32_t>> sort_triangles(const std::vector<
     return sorted;
 }
 
-glm::uvec3 turned(const glm::uvec3& triangle) { return {triangle.x, triangle.z, triangle.y}; }
+glm::uvec3 flipped(const glm::uvec3& triangle) { return {triangle.x, triangle.z, triangle.y}; }
 
-/// By the triangles of a sheet, where their fronts are among those of both sides.
+/// By triangle of a sheet, the index of its front after both sides are restored.
 std::vector<std::uint32_t> number_fronts(const SideLabels& labels, const std::vector<std::int32_t>& sides) {
     std::vector<std::uint32_t> fronts;
     std::uint32_t next = 0;
@@ -49,7 +49,7 @@ std::vector<std::uint32_t> number_fronts(const SideLabels& labels, const std::ve
     return fronts;
 }
 
-/// Repeats for its back what is said of the front of each triangle.
+/// Repeats the value of each front for its back.
 void repeat_for_backs(const SideLabels& labels, const std::vector<std::int32_t>& sides, std::vector<float>& values) {
     if (values.empty()) return;
     std::vector<float> both;
@@ -59,7 +59,7 @@ void repeat_for_backs(const SideLabels& labels, const std::vector<std::int32_t>&
 }
 
 /// What lies outside of the front lies inside of the back.
-void turn_signs(const SideLabels& labels, const std::vector<std::int32_t>& sides, TriangleErrors& errors) {
+void negate_signs(const SideLabels& labels, const std::vector<std::int32_t>& sides, TriangleErrors& errors) {
     if (errors.lowest.empty()) return;
     const std::vector<std::uint32_t> fronts = number_fronts(labels, sides);
     for (std::size_t t = 0; t < sides.size(); ++t) {
@@ -84,10 +84,11 @@ std::int32_t SideLabels::number(std::int32_t front, std::optional<std::int32_t> 
     return found->second;
 }
 
-OneSided::OneSided(const Mesh& mesh, Turning turning, SideLabels& labels) : in_shape_(mesh.triangles.size(), no_index) {
+OneSided::OneSided(const Mesh& mesh, Orienting orienting, SideLabels& labels)
+    : in_shape_(mesh.triangles.size(), no_index) {
     shape_.position = mesh.position;
     find_sides(mesh);
-    if (turning == Turning::as_reduced) turn();
+    if (orienting == Orienting::as_reduced) orient_sides();
     const auto label = [&](std::uint32_t triangle) { return mesh.regions.empty() ? 0 : mesh.regions[triangle]; };
     for (std::size_t t = 0; t < fronts_.size(); ++t) {
         const bool two_sided = backs_[t] != no_index;
@@ -122,13 +123,13 @@ void OneSided::find_sides(const Mesh& mesh) {
     }
 }
 
-/// Which side of a sheet of two is the front one is free to choose, so none of its triangles is turned round: what faces the
-/// other way is taken for the back. And a sheet of two sides is never without two.
-void OneSided::turn() {
+/// Of a two-sided triangle either side may be the front, so none is flipped: front and back are exchanged instead. Nor
+/// can it be unorientable.
+void OneSided::orient_sides() {
     std::vector<char> two_sided;
     for (const std::uint32_t back : backs_) two_sided.push_back(back != no_index);
     const Orientation orientation = orient(shape_.triangles, vertex_count(shape_), two_sided);
-    turned_ = orientation.turned;
+    flipped_ = orientation.flipped;
     unorientable_parts_ = orientation.unorientable_parts;
     if (unorientable_parts_ > 0) unorientable_triangle_ = fronts_[orientation.unorientable_triangle];
     for (std::size_t t = 0; t < fronts_.size(); ++t)
@@ -143,7 +144,7 @@ std::vector<std::uint8_t> OneSided::sides() const {
 }
 
 void OneSided::note(Oddities& oddities) const {
-    oddities.turned_triangles = turned_;
+    oddities.turned_triangles = flipped_;
     oddities.unorientable_parts = unorientable_parts_;
     oddities.unorientable_triangle = unorientable_triangle_;
     oddities.copied_triangles = copies_.size();
@@ -157,14 +158,14 @@ bool has_coincident_triangles(const Mesh& mesh) {
     for (const glm::uvec3& triangle : mesh.triangles)
         if (!repeats_vertex(triangle)) origin.insert(origin.end(), {triangle.x, triangle.y, triangle.z});
     bool any = false;
-    CoincidenceSearch search(origin);
-    HalfEdgeRuns(origin, vertex_count(mesh)).for_each_edge([&](const std::uint32_t* run, std::size_t count) {
+    CoincidentTriangleSearch search(origin);
+    HalfEdgesByEdge(origin, vertex_count(mesh)).for_each_edge([&](const std::uint32_t* run, std::size_t count) {
         any = any || search.finds(run, count);
     });
     return any;
 }
 
-void give_out_both_sides(const SideLabels& labels, bool with_regions, Reduction& reduction, SurfaceMap* link) {
+void restore_both_sides(const SideLabels& labels, bool with_regions, Reduction& reduction, SurfaceMap* link) {
     const std::vector<std::int32_t> sides = std::move(reduction.mesh.regions);
     const std::vector<glm::uvec3> sheet = std::move(reduction.mesh.triangles);
     reduction.mesh.regions.clear();
@@ -173,13 +174,13 @@ void give_out_both_sides(const SideLabels& labels, bool with_regions, Reduction&
         reduction.mesh.triangles.push_back(sheet[t]);
         if (with_regions) reduction.mesh.regions.push_back(labels.front(sides[t]));
         if (!labels.two_sided(sides[t])) continue;
-        reduction.mesh.triangles.push_back(turned(sheet[t]));
+        reduction.mesh.triangles.push_back(flipped(sheet[t]));
         if (with_regions) reduction.mesh.regions.push_back(labels.back(sides[t]));
     }
     for (TriangleErrors& errors : reduction.triangle_errors)
         for (auto* values : {&errors.largest, &errors.ratio, &errors.lowest, &errors.highest})
             repeat_for_backs(labels, sides, *values);
-    if (!reduction.triangle_errors.empty()) turn_signs(labels, sides, reduction.triangle_errors[0]);
+    if (!reduction.triangle_errors.empty()) negate_signs(labels, sides, reduction.triangle_errors[0]);
     const std::vector<std::uint32_t> fronts = number_fronts(labels, sides);
     renumber(fronts, reduction.map);
     if (link) renumber(fronts, *link);

@@ -13,8 +13,8 @@
 
 namespace meshbound {
 
-/// What a triangle of a sheet is to the regions: the label of its front, and of its back where it has one. Numbered from 0 in
-/// the order in which they are met, so that meshes with the same map of them have comparable numbers.
+/// The labels of the regions on the front of a triangle of a sheet, and on its back where it has one, as one number.
+/// Numbers are given from 0 in the order of first use; meshes that share a SideLabels have comparable ones.
 class SideLabels {
 public:
     std::int32_t number(std::int32_t front, std::optional<std::int32_t> back);
@@ -40,15 +40,15 @@ private:
 /// regions: there both sides end together.
 class OneSided {
 public:
-    enum class Turning {
-        as_reduced, ///< sides are chosen, and triangles turned, so that neighbours agree, as `reduce` does (see orient)
+    enum class Orienting {
+        as_reduced, ///< sides are chosen, and triangles flipped, so that neighbours agree, as `reduce` does (see orient)
         none,       ///< the first triangle is the front
     };
-    OneSided(const Mesh& mesh, Turning turning, SideLabels& labels);
+    OneSided(const Mesh& mesh, Orienting orienting, SideLabels& labels);
 
     /// Position and triangles, whose regions are numbers of SideLabels. Triangles that name a vertex twice are left out.
     const Mesh& shape() const { return shape_; }
-    /// For each triangle of the shape the one of the mesh that faces its way (or did, before it was turned) …
+    /// For each triangle of the shape the one of the mesh that faces its way (or did, before it was flipped) …
     const std::vector<std::uint32_t>& fronts() const { return fronts_; }
     /// … and the one that faces the other way, or no_index.
     const std::vector<std::uint32_t>& backs() const { return backs_; }
@@ -58,24 +58,24 @@ public:
     std::vector<std::uint8_t> sides() const;
     /// The triangles of the mesh that are copies, rising.
     const std::vector<std::uint32_t>& copies() const { return copies_; }
-    /// What there is to tell of it.
+    /// Fills in what is reported of it.
     void note(Oddities& oddities) const;
 
 private:
     void find_sides(const Mesh& mesh);
-    void turn();
+    void orient_sides();
 
     Mesh shape_;
     std::vector<std::uint32_t> fronts_, backs_, in_shape_, copies_;
-    std::size_t turned_ = 0, unorientable_parts_ = 0;
+    std::size_t flipped_ = 0, unorientable_parts_ = 0;
     std::optional<std::size_t> unorientable_triangle_;
 };
 
 /// Whether any two triangles of a mesh are on the same three vertices.
 bool has_coincident_triangles(const Mesh& mesh);
 
-/// Gives out what was reduced as one sheet with both its sides: the front of each triangle, behind it its back. `link`, where
-/// given, is a map onto the same mesh.
-void give_out_both_sides(const SideLabels& labels, bool with_regions, Reduction& reduction, SurfaceMap* link);
+/// Expands a reduced sheet to both its sides: the front of each triangle, after it its back. `link`, where given, is a
+/// map onto the same mesh.
+void restore_both_sides(const SideLabels& labels, bool with_regions, Reduction& reduction, SurfaceMap* link);
 
 } // namespace meshbound

@@ -9,8 +9,8 @@
 
 namespace meshbound {
 
-/// Vertices that belong together because boundary edges at them run between the same two places: along seams, where a
-/// variable jumps, along borders of regions and edges of three or more triangles. For Surface::join_sites.
+/// Pairs of vertices that coincide because boundary edges at them run between the same two positions: along seams,
+/// where a variable jumps, along borders of regions and edges of three or more triangles. For Surface::join_coincident.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> find_seams(const Mesh& mesh, const Surface& surface);
 
 } // namespace meshbound

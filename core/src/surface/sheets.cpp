@@ -5,7 +5,7 @@
 namespace meshbound {
 
 /// Where labels differ, each side has an edge of its own.
-void Surface::cut_borders() {
+void Surface::cut_region_borders() {
     for (std::uint32_t h = 0; h < origin_.size(); ++h) {
         const std::uint32_t g = twin_[h];
         if (g == no_index || regions_[triangle_of(g)] == regions_[triangle_of(h)]) continue;
@@ -20,8 +20,8 @@ std::uint32_t Surface::fan_length(std::uint32_t start) const {
     return length;
 }
 
-/// A vertex is interior or boundary when one walk around it meets all its triangles; a boundary walk starts where there is
-/// no twin. Returns how many vertices have several fans.
+/// Finds the kind of every vertex and where its fan begins: at a boundary, the half-edge without a twin. Returns how
+/// many vertices have several fans.
 std::size_t Surface::classify() {
     std::vector<std::uint32_t> valence(kind_.size(), 0);
     std::fill(outgoing_.begin(), outgoing_.end(), no_index);
@@ -30,18 +30,18 @@ std::size_t Surface::classify() {
         ++valence[vertex];
         if (outgoing_[vertex] == no_index || twin_[h] == no_index) outgoing_[vertex] = h;
     }
-    std::size_t split = 0;
+    std::size_t non_manifold = 0;
     for (std::uint32_t vertex = 0; vertex < kind_.size(); ++vertex) {
         if (valence[vertex] == 0) continue;
         const std::uint32_t start = outgoing_[vertex];
-        split += fan_length(start) != valence[vertex];
+        non_manifold += fan_length(start) != valence[vertex];
         kind_[vertex] = twin_[start] == no_index ? VertexKind::boundary : VertexKind::interior;
     }
-    return split;
+    return non_manifold;
 }
 
-/// In the order of the input's vertices and of the half-edges that the fans begin with. A vertex in no triangle has one without
-/// a half-edge.
+/// In the order of the input vertices and of the half-edges that the fans begin with. A vertex in no triangle has a fan
+/// without a half-edge.
 std::vector<Surface::Fan> Surface::find_fans() const {
     std::vector<Fan> fans;
     std::vector<char> seen(origin_.size(), 0);
@@ -58,18 +58,18 @@ std::vector<Surface::Fan> Surface::find_fans() const {
     return fans;
 }
 
-/// Gives each fan a vertex of its own; those of one vertex of the input are one site.
-void Surface::split_vertices() {
+/// Gives each fan a vertex of its own; those of one input vertex are a coincidence class.
+void Surface::separate_fans() {
     const std::vector<Fan> fans = find_fans();
-    first_copy_.assign(kind_.size(), no_index);
+    first_vertex_.assign(kind_.size(), no_index);
     kind_.assign(fans.size(), VertexKind::absent);
     outgoing_.assign(fans.size(), no_index);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> copies;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (std::uint32_t vertex = 0; vertex < fans.size(); ++vertex) {
         const auto [input, start] = fans[vertex];
         inputs_.push_back(input);
-        if (first_copy_[input] == no_index) first_copy_[input] = vertex;
-        else copies.emplace_back(first_copy_[input], vertex);
+        if (first_vertex_[input] == no_index) first_vertex_[input] = vertex;
+        else pairs.emplace_back(first_vertex_[input], vertex);
         if (start == no_index) continue;
         outgoing_[vertex] = start;
         kind_[vertex] = twin_[start] == no_index ? VertexKind::boundary : VertexKind::interior;
@@ -77,7 +77,7 @@ void Surface::split_vertices() {
     for (std::uint32_t vertex = 0; vertex < fans.size(); ++vertex)
         if (fans[vertex].start != no_index)
             walk_fan(fans[vertex].start, [&, vertex](std::uint32_t spoke) { origin_[spoke] = vertex; });
-    join_sites(copies);
+    join_coincident(pairs);
 }
 
 } // namespace meshbound

@@ -10,9 +10,9 @@
 
 namespace meshbound {
 
-/// Takes parts of the surface away whose box has a diagonal of no more than `bound`, multiplied by the least multiplier in
-/// the part; the largest part stays, as do those with a vertex of `kept`. A part is what hangs together over vertices or
-/// places of vertices, so that a piece between seams is none.
+/// Removes connected components whose box has a diagonal of no more than `bound`, times the least multiplier in the
+/// component; the largest stays, as do those with a vertex of `kept`. Components are connected over vertices or over
+/// their positions, so that seams do not separate them.
 DroppedParts drop_small_parts(const Mesh& mesh, double bound, const Multipliers& multipliers,
                               const std::vector<std::uint32_t>& kept, Surface& surface);
 

@@ -4,7 +4,7 @@
 
 namespace meshbound {
 
-/// A ring position, or another number that is never negative where it is used, as an index.
-inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
+/// An int that is not negative, such as a ring index, as an index into a container.
+inline std::size_t to_index(int i) { return static_cast<std::size_t>(i); }
 
 } // namespace meshbound

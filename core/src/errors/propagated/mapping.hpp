@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "surface/hole.hpp"
-#include "retriangulation/overlap.hpp"
 #include "metric/rows.hpp"
+#include "retriangulation/overlap.hpp"
+#include "surface/hole.hpp"
 
 namespace meshbound {
 
@@ -14,10 +14,10 @@ namespace meshbound {
 /// signed distance of §3.3.1, positive where the new triangle lies outside.
 class StarMap {
 public:
-    /// Crosses every possible diagonal with the spokes. The hole is laid out.
+    /// Intersects every possible diagonal with the spokes. The hole is laid out.
     void enter(const Rows& rows, const Hole& hole);
 
-    /// Length of a difference: the row and the signed distance.
+    /// Numbers in a difference: the row and the signed distance.
     int width() const { return rows_->width() + 1; }
 
     /// Difference where the diagonal (a, b) crosses spoke s; null where it does not.
@@ -34,8 +34,7 @@ private:
     const Rows* rows_ = nullptr;
     const Hole* hole_ = nullptr;
     glm::dvec3 normal_{0};
-    std::vector<std::size_t>
-        offsets_; // [a * size + b]: where the crossings of the diagonal begin in rows_of_crossings_
+    std::vector<std::size_t> offsets_; // [a * size + b]: where the crossings of the diagonal begin in crossings_
     std::vector<double> crossings_;
     std::vector<double> candidate_;
     std::vector<double> scratch_, lengths_;

@@ -7,7 +7,7 @@ namespace meshbound {
 
 PropagatedRemoval::PropagatedRemoval(const Rows& rows, std::vector<ErrorInterval>& intervals,
                                      std::vector<double>& least, Cost cost)
-    : rows_(rows), intervals_(intervals), least_(least), charged_(cost), introduced_(width()) {}
+    : rows_(rows), intervals_(intervals), least_(least), cost_(cost), introduced_(width()) {}
 
 void PropagatedRemoval::enter(const Hole& hole) {
     hole_ = &hole;
@@ -15,26 +15,26 @@ void PropagatedRemoval::enter(const Hole& hole) {
 }
 
 double PropagatedRemoval::diagonal(int i, int j) {
-    if (charged_ == Cost::maximum) return 0; // charged with the triangles, whose intervals hold the crossings
+    if (cost_ == Cost::maximum) return 0; // charged with the triangles, whose intervals hold the crossings
     double sum = 0;
-    const RingRun run = crossed_spokes(*hole_, i, j);
-    for (int n = 0; n < run.count; ++n)
-        sum += squared_ratio(map_.crossing(i, j, (run.first + n) % hole_->size()), rows_.groups());
+    const RingRange range = crossed_spokes(*hole_, i, j);
+    for (int n = 0; n < range.count; ++n)
+        sum += squared_ratio(map_.crossing(i, j, (range.first + n) % hole_->size()), rows_.groups());
     return sum;
 }
 
 double PropagatedRemoval::triangle(int a, int m, int b, double) {
-    if (charged_ == Cost::introduced)
-        return holds_candidate(*hole_, a, m, b) ? squared_ratio(map_.candidate(a, m, b), rows_.groups()) : 0;
+    if (cost_ == Cost::introduced)
+        return contains_candidate(*hole_, a, m, b) ? squared_ratio(map_.candidate(a, m, b), rows_.groups()) : 0;
     fresh_.resize(width());
     propagate(a, m, b, fresh_.data());
     return worst(fresh_.data(), least_multiplier(a, m, b)).squared_ratio;
 }
 
-/// The interval of a new triangle: the hull over its pieces, one in each sector that it overlaps.
+/// The interval of a new triangle: the union over its pieces, one in each sector that it overlaps.
 void PropagatedRemoval::propagate(int a, int m, int b, ErrorInterval* fresh) {
-    const double* candidate = holds_candidate(*hole_, a, m, b) ? map_.candidate(a, m, b) : nullptr;
-    const RingRun sectors = overlapped_sectors(*hole_, a, m, b);
+    const double* candidate = contains_candidate(*hole_, a, m, b) ? map_.candidate(a, m, b) : nullptr;
+    const RingRange sectors = overlapped_sectors(*hole_, a, m, b);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::fill(fresh, fresh + width(), ErrorInterval{infinity, -infinity});
     for (int n = 0; n < sectors.count; ++n) add_piece(a, m, b, (sectors.first + n) % hole_->size(), candidate, fresh);
@@ -63,18 +63,19 @@ void PropagatedRemoval::add_piece(int a, int m, int b, int sector, const double*
         fresh[i].include({old[i].lowest + introduced_[i].lowest, old[i].highest + introduced_[i].highest});
 }
 
-/// No point that reaches the new triangle has a lower one: they come from the sectors that it overlaps.
+/// A lower bound of the multipliers of all points mapped into a new triangle: they come from the sectors that it
+/// overlaps.
 double PropagatedRemoval::least_multiplier(int a, int m, int b) const {
     if (least_.empty()) return 1;
-    const RingRun sectors = overlapped_sectors(*hole_, a, m, b);
+    const RingRange sectors = overlapped_sectors(*hole_, a, m, b);
     double least = std::numeric_limits<double>::infinity();
     for (int n = 0; n < sectors.count; ++n)
         least = std::min(least, least_[hole_->slots[static_cast<std::size_t>((sectors.first + n) % hole_->size())]]);
     return least;
 }
 
-Measured PropagatedRemoval::worst(const ErrorInterval* intervals, double multiplier) const {
-    Measured measured;
+RemovalError PropagatedRemoval::worst(const ErrorInterval* intervals, double multiplier) const {
+    RemovalError measured;
     for (const RowGroup& group : rows_.groups()) {
         if (!group.bounded) continue;
         double square = 0;
@@ -88,15 +89,15 @@ Measured PropagatedRemoval::worst(const ErrorInterval* intervals, double multipl
     return measured;
 }
 
-Measured PropagatedRemoval::measure(const Retriangulation& retriangulation, double squared_limit) {
-    Measured measured;
+RemovalError PropagatedRemoval::measure(const Retriangulation& retriangulation, double squared_limit) {
+    RemovalError measured;
     fresh_.resize(retriangulation.triangles.size() * width());
     fresh_least_.clear();
     ErrorInterval* fresh = fresh_.data();
     for (const NewTriangle& triangle : retriangulation.triangles) {
         propagate(triangle.a, triangle.m, triangle.b, fresh);
         fresh_least_.push_back(least_multiplier(triangle.a, triangle.m, triangle.b));
-        if (const Measured here = worst(fresh, fresh_least_.back()); here.squared_ratio > measured.squared_ratio)
+        if (const RemovalError here = worst(fresh, fresh_least_.back()); here.squared_ratio > measured.squared_ratio)
             measured = here;
         if (measured.squared_ratio > squared_limit) break;
         fresh += width();

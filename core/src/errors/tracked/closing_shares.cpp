@@ -9,66 +9,71 @@
 namespace meshbound {
 namespace {
 
-/// The closing edge, as the first part has it.
-JointSegment closing_edge(const MeasuredRows& rows, const Hole& hole, bool forward) {
+/// The closing edge, in the direction in which the first star has it.
+JointSegment closing_edge(const BoundedRows& rows, const Hole& hole, bool forward) {
     const double *front = rows[hole.ring.front()], *back = rows[hole.ring.back()];
     return forward ? JointSegment{front, back} : JointSegment{back, front};
 }
 
 } // namespace
 
-void ClosingShares::agree(const std::vector<Part>& parts, double squared_content) {
-    struct OfSite {
-        std::uint32_t site;
-        std::size_t part;
-        Copy copy;
+void ClosingShares::agree(const std::vector<Star>& stars, double squared_threshold) {
+    struct ClassMember {
+        std::uint32_t representative;
+        std::size_t star;
+        CurveVertex curve_vertex;
     };
-    std::vector<OfSite> all;
-    for (std::size_t n = 0; n < parts.size(); ++n) {
-        const std::vector<InnerVertex>& inner = parts[n].content->vertices();
-        const bool forward = surface_.site(parts[n].hole->ring.front()) == surface_.site(parts[0].hole->ring.front());
+    std::vector<ClassMember> all;
+    for (std::size_t n = 0; n < stars.size(); ++n) {
+        const std::vector<InnerVertex>& inner = stars[n].content->vertices();
+        const bool forward = surface_.representative(stars[n].hole->ring.front()) ==
+                             surface_.representative(stars[0].hole->ring.front());
         for (std::size_t i = 0; i < inner.size(); ++i)
-            if (inner[i].host == InnerVertex::Host::closing)
-                all.push_back({surface_.site(inner[i].vertex), n, {&parts[n], i, forward}});
+            if (inner[i].container == InnerVertex::Container::closing_edge)
+                all.push_back({surface_.representative(inner[i].vertex), n, {&stars[n], i, forward}});
     }
-    std::sort(all.begin(), all.end(),
-              [](const OfSite& a, const OfSite& b) { return std::tie(a.site, a.part) < std::tie(b.site, b.part); });
-    std::vector<Copy> copies;
+    std::sort(all.begin(), all.end(), [](const ClassMember& a, const ClassMember& b) {
+        return std::tie(a.representative, a.star) < std::tie(b.representative, b.star);
+    });
+    std::vector<CurveVertex> curve_vertices;
     for (auto first = all.begin(); first != all.end();) {
-        copies.clear();
-        const std::uint32_t site = first->site;
-        for (; first != all.end() && first->site == site; ++first) copies.push_back(first->copy);
-        const double share = share_of(copies, squared_content);
-        for (const Copy& copy : copies)
-            copy.part->content->settle_on_closing(copy.inner, copy.forward ? share : 1 - share, *copy.part->hole);
+        curve_vertices.clear();
+        const std::uint32_t representative = first->representative;
+        for (; first != all.end() && first->representative == representative; ++first)
+            curve_vertices.push_back(first->curve_vertex);
+        const double share = share_of(curve_vertices, squared_threshold);
+        for (const CurveVertex& curve_vertex : curve_vertices)
+            curve_vertex.star->content->fix_closing_share(curve_vertex.inner, curve_vertex.forward ? share : 1 - share,
+                                                          *curve_vertex.star->hole);
     }
 }
 
-/// Along the closing edge of the first part: as laid out there, or where the errors of all copies are smallest.
-double ClosingShares::share_of(const std::vector<Copy>& copies, double squared_content) const {
-    const Copy& first = copies.front();
-    const double laid_out = first.part->content->vertices()[first.inner].share;
+/// Along the closing edge of the first star: as laid out there, or where the errors on all stars are smallest together.
+double ClosingShares::share_of(const std::vector<CurveVertex>& curve_vertices, double squared_threshold) const {
+    const CurveVertex& first = curve_vertices.front();
+    const double laid_out = first.star->content->vertices()[first.inner].share;
     const double share = first.forward ? laid_out : 1 - laid_out;
-    const double here = error(copies, share);
-    if (!choose_ || !(here > squared_content)) return share;
+    const double here = error(curve_vertices, share);
+    if (!optimize_ || !(here > squared_threshold)) return share;
     PlaneProducts sum;
-    for (const Copy& copy : copies) {
-        const double* row = rows_[copy.part->content->vertices()[copy.inner].vertex];
-        const PlaneProducts one = products_of(rows_, {row, row}, closing_edge(rows_, *copy.part->hole, copy.forward));
+    for (const CurveVertex& curve_vertex : curve_vertices) {
+        const double* row = rows_[curve_vertex.star->content->vertices()[curve_vertex.inner].vertex];
+        const PlaneProducts one =
+            products_of(rows_, {row, row}, closing_edge(rows_, *curve_vertex.star->hole, curve_vertex.forward));
         sum.vv += one.vv;
         sum.vw += one.vw;
     }
     const double chosen = nearest_parameters(sum, 0, 0).y;
-    return error(copies, chosen) < here ? chosen : share;
+    return error(curve_vertices, chosen) < here ? chosen : share;
 }
 
-double ClosingShares::error(const std::vector<Copy>& copies, double share) const {
+double ClosingShares::error(const std::vector<CurveVertex>& curve_vertices, double share) const {
     double worst = 0;
-    for (const Copy& copy : copies) {
-        const std::uint32_t vertex = copy.part->content->vertices()[copy.inner].vertex;
-        const JointSegment edge = closing_edge(rows_, *copy.part->hole, copy.forward);
+    for (const CurveVertex& curve_vertex : curve_vertices) {
+        const std::uint32_t vertex = curve_vertex.star->content->vertices()[curve_vertex.inner].vertex;
+        const JointSegment edge = closing_edge(rows_, *curve_vertex.star->hole, curve_vertex.forward);
         const double ratio = rows_.squared_ratio(
-            MeasuredRows::segment_difference(rows_[vertex], rows_[vertex], 0, edge.start, edge.end, share));
+            BoundedRows::segment_difference(rows_[vertex], rows_[vertex], 0, edge.start, edge.end, share));
         worst = std::max(worst, rows_.multipliers().scale_at(vertex, ratio));
     }
     return worst;

@@ -2,39 +2,39 @@
 
 #include <vector>
 
+#include "errors/tracked/mapped_content.hpp"
+#include "metric/bounded_rows.hpp"
 #include "surface/hole.hpp"
-#include "errors/tracked/hole_content.hpp"
-#include "metric/measured_rows.hpp"
 #include "surface/surface.hpp"
 
 namespace meshbound {
 
-/// Where on the closing edges of the parts of one removal along a curve the vertices of the curve go: each to the same share
-/// on all of them, where their errors are smallest together if the map is free.
+/// Puts the vertices of a curve on the closing edges of the stars of one removal: each at the same share of all of
+/// them, where their errors are smallest together if images are optimized.
 class ClosingShares {
 public:
-    ClosingShares(const Surface& surface, const MeasuredRows& rows, bool choose)
-        : surface_(surface), rows_(rows), choose_(choose) {}
+    ClosingShares(const Surface& surface, const BoundedRows& rows, bool optimize)
+        : surface_(surface), rows_(rows), optimize_(optimize) {}
 
-    struct Part {
+    struct Star {
         const Hole* hole;
-        HoleContent* content;
+        MappedContent* content;
     };
-    void agree(const std::vector<Part>& parts, double squared_content);
+    void agree(const std::vector<Star>& stars, double squared_threshold);
 
 private:
-    /// A vertex of the curve in one part.
-    struct Copy {
-        const Part* part;
-        std::size_t inner; ///< of its content
-        bool forward;      ///< its closing edge runs as that of the first part
+    /// A vertex of the curve, as one of the stars has it.
+    struct CurveVertex {
+        const Star* star;
+        std::size_t inner; ///< index of the inner vertex
+        bool forward;      ///< its closing edge runs as that of the first star
     };
-    double share_of(const std::vector<Copy>& copies, double squared_content) const;
-    double error(const std::vector<Copy>& copies, double share) const;
+    double share_of(const std::vector<CurveVertex>& curve_vertices, double squared_threshold) const;
+    double error(const std::vector<CurveVertex>& curve_vertices, double share) const;
 
     const Surface& surface_;
-    const MeasuredRows& rows_;
-    bool choose_;
+    const BoundedRows& rows_;
+    bool optimize_;
 };
 
 } // namespace meshbound

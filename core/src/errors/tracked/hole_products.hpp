@@ -3,31 +3,31 @@
 #include <cstddef>
 #include <vector>
 
+#include "errors/tracked/mapped_content.hpp"
+#include "metric/bounded_rows.hpp"
 #include "surface/hole.hpp"
-#include "errors/tracked/hole_content.hpp"
-#include "metric/measured_rows.hpp"
 
 namespace meshbound {
 
-/// The joint rows of a hole: those of its ring and, taken from the candidate's, their dot products. Nearest places between
-/// ring, spokes, diagonals and inner vertices follow from these numbers alone, so that the components are gone through once a
-/// hole, not once for every triangle and diagonal that is asked about.
+/// The dot products of a hole's rows, relative to the candidate's. They are all that nearest points between ring,
+/// spokes, diagonals and inner vertices follow from, so that the components are gone through once for each hole, not
+/// once for each triangle and diagonal.
 class HoleProducts {
 public:
-    explicit HoleProducts(const MeasuredRows& rows) : rows_(&rows) {}
+    explicit HoleProducts(const BoundedRows& rows) : rows_(&rows) {}
 
-    /// Both outlive what is asked next.
+    /// Both outlive the queries.
     void enter(const Hole& hole, const std::vector<InnerVertex>& inner);
 
     int size() const { return size_; }
 
-    /// The row of a ring position.
+    /// The row of a ring index.
     const double* ring_row(int i) const { return ring_rows_[static_cast<std::size_t>(i)]; }
 
-    /// Of the rows of ring positions i and j.
+    /// Of the rows of ring indices i and j.
     double ring(int i, int j) const { return ring_[static_cast<std::size_t>(i * size_ + j)]; }
 
-    /// Of an inner vertex with each ring position; behind them its square.
+    /// Of an inner vertex with each ring index; behind them its square.
     const double* vertex(std::size_t inner);
 
 private:
@@ -36,7 +36,7 @@ private:
     /// Where every variable is free there are no lanes, and nothing is stored.
     const Lane* local(int i) const { return local_.data() + static_cast<std::size_t>(i * rows_->lanes()); }
 
-    const MeasuredRows* rows_;
+    const BoundedRows* rows_;
     const Hole* hole_ = nullptr;
     const std::vector<InnerVertex>* inner_ = nullptr;
     int size_ = 0;

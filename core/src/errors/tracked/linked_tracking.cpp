@@ -10,11 +10,11 @@
 namespace meshbound {
 namespace {
 
-/// A morph leads along the map between levels, so its errors are seen: beyond this share of the limit, which is that of both
-/// levels together, places are looked for that keep it within the bounds of the coarser one.
-constexpr double content_on_the_way = 0.3;
+/// The errors of a map between levels are seen in a morph. So images and crossings are optimized from this share of the
+/// limit on, which is the sum of those of both levels.
+constexpr double morph_relocation_threshold = 0.3;
 
-/// Vertices of the input of which copies are left; the copies of one are neighbours in the numbering.
+/// The input vertices that are left; the vertices of each are consecutive.
 std::vector<std::uint32_t> kept_vertices(const Surface& surface) {
     std::vector<std::uint32_t> kept;
     for (std::uint32_t vertex = 0; vertex < surface.vertex_count(); ++vertex) {
@@ -25,7 +25,7 @@ std::vector<std::uint32_t> kept_vertices(const Surface& surface) {
     return kept;
 }
 
-/// Names vertices by their indices among some of them, which are rising.
+/// The index of a vertex in a rising list.
 class Indices {
 public:
     explicit Indices(const std::vector<std::uint32_t>& vertices) : vertices_(vertices) {}
@@ -38,10 +38,10 @@ private:
     const std::vector<std::uint32_t>& vertices_;
 };
 
-/// A removal on both maps.
-class LinkedRemoval final : public RemovalAccounting {
+/// Measures a removal by both maps.
+class LinkedRemoval final : public RemovalErrorModel {
 public:
-    LinkedRemoval(std::unique_ptr<RemovalAccounting> from_original, std::unique_ptr<RemovalAccounting> from_finer)
+    LinkedRemoval(std::unique_ptr<RemovalErrorModel> from_original, std::unique_ptr<RemovalErrorModel> from_finer)
         : from_original_(std::move(from_original)), from_finer_(std::move(from_finer)) {}
 
     void enter(const Hole& hole) override {
@@ -49,24 +49,24 @@ public:
         from_finer_->enter(hole);
     }
 
-    /// The map from the original decides; the one from the finer level goes the same way on all parts, too.
-    void join(const std::vector<RemovalAccounting*>& parts, double squared_limit) override {
-        std::vector<RemovalAccounting*> from_original, from_finer;
-        for (RemovalAccounting* part : parts) {
-            auto& linked = static_cast<LinkedRemoval&>(*part);
+    /// Each map puts its own vertices at the same share on all stars.
+    void share_closing_edges(const std::vector<RemovalErrorModel*>& models, double squared_limit) override {
+        std::vector<RemovalErrorModel*> from_original, from_finer;
+        for (RemovalErrorModel* model : models) {
+            auto& linked = static_cast<LinkedRemoval&>(*model);
             from_original.push_back(linked.from_original_.get());
             from_finer.push_back(linked.from_finer_.get());
         }
-        from_original_->join(from_original, squared_limit);
-        from_finer_->join(from_finer, squared_limit);
+        from_original_->share_closing_edges(from_original, squared_limit);
+        from_finer_->share_closing_edges(from_finer, squared_limit);
     }
 
     HoleCost& cost() override { return from_original_->cost(); }
 
-    Measured measure(const Retriangulation& retriangulation, double squared_limit) override {
-        const Measured original = from_original_->measure(retriangulation, squared_limit);
+    RemovalError measure(const Retriangulation& retriangulation, double squared_limit) override {
+        const RemovalError original = from_original_->measure(retriangulation, squared_limit);
         if (original.squared_ratio > squared_limit) return original;
-        const Measured finer = from_finer_->measure(retriangulation, squared_limit);
+        const RemovalError finer = from_finer_->measure(retriangulation, squared_limit);
         return finer.squared_ratio > original.squared_ratio ? finer : original;
     }
 
@@ -75,49 +75,50 @@ public:
         from_finer_->commit(retriangulation);
     }
 
-    bool minds_turns() const override { return from_original_->minds_turns(); }
+    bool limits_normal_deviation() const override { return from_original_->limits_normal_deviation(); }
 
     std::size_t work() const override { return from_original_->work() + from_finer_->work(); }
 
 private:
-    std::unique_ptr<RemovalAccounting> from_original_, from_finer_;
+    std::unique_ptr<RemovalErrorModel> from_original_, from_finer_;
 };
 
 } // namespace
 
 LinkedTracking::LinkedTracking(Tracking& from_original, Rows rows, const Surface& surface, const Options& options)
-    : from_original_(from_original), rows_(std::move(rows)), from_finer_(rows_, surface, options, content_on_the_way),
-      surface_(&surface), finer_vertices_(kept_vertices(surface)) {}
+    : from_original_(from_original), rows_(std::move(rows)),
+      from_finer_(rows_, surface, options, morph_relocation_threshold), surface_(&surface),
+      finer_vertices_(kept_vertices(surface)) {}
 
-std::unique_ptr<RemovalAccounting> LinkedTracking::removals() {
-    return std::make_unique<LinkedRemoval>(from_original_.removals(), from_finer_.removals());
+std::unique_ptr<RemovalErrorModel> LinkedTracking::make_removal_model() {
+    return std::make_unique<LinkedRemoval>(from_original_.make_removal_model(), from_finer_.make_removal_model());
 }
 
-void LinkedTracking::measure_in(const Rows& rows) { from_original_.measure_in(rows); }
+void LinkedTracking::set_bounds(const Rows& rows) { from_original_.set_bounds(rows); }
 
 void LinkedTracking::errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const {
     from_original_.errors(slot, ranges);
 }
 
-void LinkedTracking::extract(const std::vector<std::uint32_t>& renamed_vertex,
-                             const std::vector<std::uint32_t>& renamed_triangle,
+void LinkedTracking::extract(const std::vector<std::uint32_t>& reduced_vertex,
+                             const std::vector<std::uint32_t>& reduced_triangle,
                              const std::vector<std::uint32_t>& coarser_vertices, LevelLink& link,
-                             Ticker& ticker) const {
+                             ProgressReporter& reporter) const {
     const Indices in_finer(finer_vertices_);
     for (const std::uint32_t vertex : coarser_vertices) link.vertices.push_back(in_finer[vertex]);
     SurfaceMap map;
-    extract_map(*surface_, from_finer_, renamed_vertex, renamed_triangle, map, ticker);
+    extract_map(*surface_, from_finer_, reduced_vertex, reduced_triangle, map, reporter);
     for (const std::uint32_t vertex : finer_vertices_) link.map.places.push_back(map.places[vertex]);
     link.map.crossings = std::move(map.crossings);
     for (MapCrossing& crossing : link.map.crossings)
         crossing.original = {in_finer[crossing.original.x], in_finer[crossing.original.y]};
-    extract_errors(link, ticker);
+    extract_errors(link, reporter);
 }
 
-void LinkedTracking::extract_errors(LevelLink& link, Ticker& ticker) const {
+void LinkedTracking::extract_errors(LevelLink& link, ProgressReporter& reporter) const {
     link.errors.assign(rows_.groups().size(), 0);
     std::vector<ErrorRange> ranges;
-    for (std::uint32_t slot = 0; slot < surface_->slot_count() && ticker.tick(1); ++slot) {
+    for (std::uint32_t slot = 0; slot < surface_->slot_count() && reporter.advance(1); ++slot) {
         if (!surface_->alive(slot)) continue;
         from_finer_.errors(slot, ranges);
         for (const RowGroup& group : rows_.groups()) {

@@ -4,32 +4,32 @@
 #include <memory>
 #include <vector>
 
-#include "errors/accounting.hpp"
-#include "meshbound/level_link.hpp"
-#include "util/ticker.hpp"
+#include "errors/error_model.hpp"
 #include "errors/tracked/tracking.hpp"
+#include "meshbound/level_link.hpp"
+#include "util/progress_reporter.hpp"
 
 namespace meshbound {
 
-/// Two tracked maps at once, for a level that one can morph to (§4): the one from the original, which goes on, and one that
-/// begins at the surface as it is now, the finer level. The one keeps the bounds; the other keeps bounds of its own, so that
-/// nothing travels far in a morph.
-class LinkedTracking final : public Accounting {
+/// Two tracked maps at once, for a level that can be morphed to (§4): the map from the original, which is continued,
+/// and one that begins at the current surface, the finer level. The second has bounds of its own, so that nothing moves
+/// far in a morph.
+class LinkedTracking final : public ErrorModel {
 public:
     /// `rows`: in the bounds of the map from the finer level.
     LinkedTracking(Tracking& from_original, Rows rows, const Surface& surface, const Options& options);
 
-    std::unique_ptr<RemovalAccounting> removals() override;
-    void measure_in(const Rows& rows) override;
+    std::unique_ptr<RemovalErrorModel> make_removal_model() override;
+    void set_bounds(const Rows& rows) override;
     void errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const override;
 
-    /// The map from the finer level, and its largest errors. `renamed_vertex` and `renamed_triangle` lead to the coarser
-    /// level, of `coarser_vertices`. Stops where the ticker cancels, incomplete.
-    void extract(const std::vector<std::uint32_t>& renamed_vertex, const std::vector<std::uint32_t>& renamed_triangle,
-                 const std::vector<std::uint32_t>& coarser_vertices, LevelLink& link, Ticker& ticker) const;
+    /// The map from the finer level, and its largest errors. `reduced_vertex` and `reduced_triangle` lead to the
+    /// coarser level, of `coarser_vertices`. Stops where the caller cancels, incomplete.
+    void extract(const std::vector<std::uint32_t>& reduced_vertex, const std::vector<std::uint32_t>& reduced_triangle,
+                 const std::vector<std::uint32_t>& coarser_vertices, LevelLink& link, ProgressReporter& reporter) const;
 
 private:
-    void extract_errors(LevelLink& link, Ticker& ticker) const;
+    void extract_errors(LevelLink& link, ProgressReporter& reporter) const;
 
     Tracking& from_original_;
     Rows rows_;

@@ -22,11 +22,11 @@ OriginalEdges::OriginalEdges(const Surface& surface)
         ++start_[surface.target(h) + std::size_t{1}];
     });
     for (std::size_t v = 0; v + 1 < start_.size(); ++v) start_[v + 1] += start_[v];
-    spokes_.resize(start_.back() + std::size_t{1});
+    incident_.resize(start_.back() + std::size_t{1});
     std::vector<std::uint32_t> fill(start_.begin(), start_.end() - 1);
     for_each_inner([&](std::uint32_t h) {
-        spokes_[fill[surface.origin(h)]++] = {surface.edge(h), surface.target(h)};
-        spokes_[fill[surface.target(h)]++] = {surface.edge(h), surface.origin(h)};
+        incident_[fill[surface.origin(h)]++] = {surface.edge(h), surface.target(h)};
+        incident_[fill[surface.target(h)]++] = {surface.edge(h), surface.origin(h)};
     });
 }
 

@@ -3,18 +3,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "errors/tracked/hole_content.hpp"
 #include "errors/tracked/hole_products.hpp"
+#include "errors/tracked/mapped_content.hpp"
 #include "retriangulation/retriangulation.hpp"
 
 namespace meshbound {
 
-/// What a retriangulation is charged for when errors are tracked: the squared errors, against the original, of the vertices in
-/// the hole where the layout puts them in each triangle, and those between each diagonal and the spokes that it crosses, at
-/// their nearest places. Leaves 4 % fewer triangles than the introduced errors of §3.4.1.
+/// The cost of a retriangulation when errors are tracked: the squared errors, against the original, of the vertices in
+/// the hole where the layout puts them, and those between each diagonal and the spokes that it crosses, at their
+/// nearest points.
 class TrackedCost final : public HoleCost {
 public:
-    TrackedCost(const MeasuredRows& rows, const HoleProducts& products) : rows_(rows), products_(products) {}
+    TrackedCost(const BoundedRows& rows, const HoleProducts& products) : rows_(rows), products_(products) {}
 
     void enter(const Hole& hole, const std::vector<InnerVertex>& inner);
     double diagonal(int i, int j) override;
@@ -25,7 +25,7 @@ private:
     void find_sides();
     const double* row(int ring) const { return products_.ring_row(ring); }
 
-    const MeasuredRows& rows_;
+    const BoundedRows& rows_;
     const HoleProducts& products_;
     const Hole* hole_ = nullptr;
     const std::vector<InnerVertex>* inner_ = nullptr;

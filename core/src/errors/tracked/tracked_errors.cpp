@@ -7,18 +7,18 @@
 
 namespace meshbound {
 
-/// Visits, as rows (original, reduced) and with the multiplier of the bounds, every corner of the map that lies in a triangle: its residents and the crossings and
-/// residents of its edges.
+/// Calls `visit(original, reduced, multiplier)`, with two rows and the multiplier of the bounds, for every corner of
+/// the map in a triangle: the vertices mapped into it, and the crossings and vertices on its edges.
 template <class Visit>
 void TrackedErrors::for_each_corner(std::uint32_t slot, const Visit& visit) const {
-    std::vector<double> original(at(rows_.width())), reduced(at(rows_.width()));
+    std::vector<double> original(to_index(rows_.width())), reduced(to_index(rows_.width()));
     const double* corner[3];
     for (std::uint32_t i = 0; i < 3; ++i) corner[i] = rows_[surface_.origin(3 * slot + i)];
     const auto mix = [&](std::vector<double>& out, const double* p, const double* q, double share) {
         for (std::size_t i = 0; i < out.size(); ++i) out[i] = p[i] + share * (q[i] - p[i]);
     };
-    for (std::uint32_t v = map_.residents.in_triangle(slot); v != no_index; v = map_.residents.next(v)) {
-        const glm::dvec3 w = map_.residents.barycentric(v);
+    for (std::uint32_t v = map_.mapped_vertices.in_triangle(slot); v != no_index; v = map_.mapped_vertices.next(v)) {
+        const glm::dvec3 w = map_.mapped_vertices.barycentric(v);
         for (std::size_t i = 0; i < reduced.size(); ++i)
             reduced[i] = w.x * corner[0][i] + w.y * corner[1][i] + w.z * corner[2][i];
         visit(rows_[v], reduced.data(), rows_.multipliers().at(v));
@@ -26,8 +26,9 @@ void TrackedErrors::for_each_corner(std::uint32_t slot, const Visit& visit) cons
     for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h) {
         const double* lower = rows_[std::min(surface_.origin(h), surface_.target(h))];
         const double* upper = rows_[std::max(surface_.origin(h), surface_.target(h))];
-        for (std::uint32_t v = map_.residents.on_edge(surface_.edge(h)); v != no_index; v = map_.residents.next(v)) {
-            mix(reduced, lower, upper, map_.residents.share(v));
+        for (std::uint32_t v = map_.mapped_vertices.on_edge(surface_.edge(h)); v != no_index;
+             v = map_.mapped_vertices.next(v)) {
+            mix(reduced, lower, upper, map_.mapped_vertices.share(v));
             visit(rows_[v], reduced.data(), rows_.multipliers().at(v));
         }
         for (std::uint32_t id = map_.crossings.on(surface_.edge(h)); id != no_index; id = map_.crossings[id].sibling) {

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "errors/accounting.hpp"
+#include "errors/error_model.hpp"
+#include "errors/tracked/tracked_map.hpp"
 #include "metric/rows.hpp"
 #include "surface/surface.hpp"
-#include "errors/tracked/tracked_map.hpp"
 
 namespace meshbound {
 

@@ -4,95 +4,96 @@
 
 namespace meshbound {
 
-TrackedRemoval::TrackedRemoval(const Rows& rows, const MeasuredRows& measured_rows, const Surface& surface,
-                               TrackedMap& map, const Options& options, double content_with)
-    : rows_(rows), measured_rows_(measured_rows), surface_(surface), map_(map), supply_(map.crossings),
-      choose_places_(options.choose_places), content_with_(content_with), content_(surface), products_(measured_rows),
-      cost_(measured_rows, products_), settling_(measured_rows, products_, options.choose_places),
-      laying_(measured_rows, products_, map, options.choose_crossings) {}
+TrackedRemoval::TrackedRemoval(const Rows& rows, const BoundedRows& bounded_rows, const Surface& surface,
+                               TrackedMap& map, const Options& options, double relocation_threshold)
+    : rows_(rows), bounded_rows_(bounded_rows), surface_(surface), map_(map), free_list_(map.crossings),
+      optimize_images_(options.choose_places), relocation_threshold_(relocation_threshold), content_(surface),
+      products_(bounded_rows), cost_(bounded_rows, products_),
+      relocation_(bounded_rows, products_, options.choose_places),
+      tracing_(bounded_rows, products_, map, options.choose_crossings) {}
 
 void TrackedRemoval::enter(const Hole& hole) {
     hole_ = &hole;
-    content_.enter(rows_, surface_, map_.residents, hole);
-    fetch_ahead();
+    content_.enter(rows_, surface_, map_.mapped_vertices, hole);
+    prefetch_ahead();
     products_.enter(hole, content_.vertices());
     cost_.enter(hole, content_.vertices());
 }
 
-/// What is known of the inner vertices lies scattered in memory: it is on its way while the hole is looked at:
-/// of a million triangles that saves 5 % of the time.
-void TrackedRemoval::fetch_ahead() const {
+/// The data of the inner vertices lie scattered in memory: prefetched here, they arrive while the hole is being
+/// prepared.
+void TrackedRemoval::prefetch_ahead() const {
     for (const InnerVertex& inner : content_.vertices()) {
-        measured_rows_.fetch(inner.vertex);
-        map_.edges.fetch_start(inner.vertex);
+        bounded_rows_.prefetch(inner.vertex);
+        map_.edges.prefetch_start(inner.vertex);
     }
 }
 
-void TrackedRemoval::join(const std::vector<RemovalAccounting*>& parts, double squared_limit) {
-    std::vector<ClosingShares::Part> joined;
-    for (RemovalAccounting* part : parts) {
-        auto& tracked = static_cast<TrackedRemoval&>(*part);
-        joined.push_back({tracked.hole_, &tracked.content_});
+void TrackedRemoval::share_closing_edges(const std::vector<RemovalErrorModel*>& models, double squared_limit) {
+    std::vector<ClosingShares::Star> stars;
+    for (RemovalErrorModel* model : models) {
+        auto& tracked = static_cast<TrackedRemoval&>(*model);
+        stars.push_back({tracked.hole_, &tracked.content_});
     }
-    ClosingShares(surface_, measured_rows_, choose_places_)
-        .agree(joined, content_with_ * content_with_ * squared_limit);
+    ClosingShares(surface_, bounded_rows_, optimize_images_)
+        .agree(stars, relocation_threshold_ * relocation_threshold_ * squared_limit);
 }
 
 std::size_t TrackedRemoval::work() const { return 1 + content_.vertices().size() / 8; }
 
-Measured TrackedRemoval::measure(const Retriangulation& retriangulation, double squared_limit) {
-    WorstError worst(measured_rows_, squared_limit, content_with_);
+RemovalError TrackedRemoval::measure(const Retriangulation& retriangulation, double squared_limit) {
+    WorstError worst(bounded_rows_, squared_limit, relocation_threshold_);
     tree_.enter(*hole_, retriangulation);
-    if (!settling_.settle(*hole_, tree_, retriangulation, content_.vertices(), worst)) return worst.measured();
-    content_.find_pieces(map_.edges, map_.crossings, *hole_);
-    laying_.lay(*hole_, tree_, settling_, content_.pieces(), worst);
+    if (!relocation_.relocate(*hole_, tree_, retriangulation, content_.vertices(), worst)) return worst.measured();
+    content_.find_segments(map_.edges, map_.crossings, *hole_);
+    tracing_.trace(*hole_, tree_, relocation_, content_.segments(), worst);
     return worst.measured();
 }
 
 void TrackedRemoval::commit(const Retriangulation& retriangulation) {
-    for (const std::uint32_t slot : hole_->slots) map_.residents.clear_triangle(slot);
+    for (const std::uint32_t slot : hole_->slots) map_.mapped_vertices.clear_triangle(slot);
     for (const std::uint32_t edge : hole_->spoke_edges) {
-        map_.crossings.clear(edge, supply_);
-        map_.residents.clear_edge(edge);
+        map_.crossings.clear(edge, free_list_);
+        map_.mapped_vertices.clear_edge(edge);
     }
-    commit_settlements(retriangulation);
-    for (std::size_t p = 0; p < content_.pieces().size(); ++p)
-        if (content_.pieces()[p].crosses || laying_.crosses(p)) commit_piece(retriangulation, p);
+    commit_images(retriangulation);
+    for (std::size_t p = 0; p < content_.segments().size(); ++p)
+        if (content_.segments()[p].crosses || tracing_.crosses(p)) commit_segment(retriangulation, p);
 }
 
-void TrackedRemoval::commit_settlements(const Retriangulation& retriangulation) {
+void TrackedRemoval::commit_images(const Retriangulation& retriangulation) {
     for (std::size_t i = 0; i < content_.vertices().size(); ++i) {
         const InnerVertex& inner = content_.vertices()[i];
-        const Settling::Settlement& settlement = settling_.settlements()[i];
-        const NewTriangle& triangle = retriangulation.triangles[at(settlement.triangle)];
-        if (inner.host == InnerVertex::Host::triangle) {
-            map_.residents.settle_in_triangle(inner.vertex, triangle.slot, settlement.weight);
-        } else if (inner.host == InnerVertex::Host::closing) {
+        const VertexRelocation::VertexImage& image = relocation_.images()[i];
+        const NewTriangle& triangle = retriangulation.triangles[to_index(image.triangle)];
+        if (inner.container == InnerVertex::Container::triangle) {
+            map_.mapped_vertices.put_in_triangle(inner.vertex, triangle.slot, image.weight);
+        } else if (inner.container == InnerVertex::Container::closing_edge) {
             const bool canonical = hole_->ring.front() < hole_->ring.back();
-            map_.residents.settle_on_edge(inner.vertex, triangle.edge,
-                                          canonical ? settlement.weight.z : 1 - settlement.weight.z);
+            map_.mapped_vertices.put_on_edge(inner.vertex, triangle.edge,
+                                             canonical ? image.weight.z : 1 - image.weight.z);
         }
     }
 }
 
-void TrackedRemoval::commit_piece(const Retriangulation& retriangulation, std::size_t p) {
-    const Piece& piece = content_.pieces()[p];
-    std::uint32_t before = piece.start.crossing;
-    for (std::size_t n = laying_.begin(p); n < laying_.begin(p + 1); ++n) {
-        const NewCrossing& fresh = laying_.crossings()[n];
-        const NewTriangle& triangle = retriangulation.triangles[at(fresh.triangle)];
-        const bool canonical = hole_->ring[at(triangle.a)] < hole_->ring[at(triangle.b)];
+void TrackedRemoval::commit_segment(const Retriangulation& retriangulation, std::size_t p) {
+    const EdgeSegment& segment = content_.segments()[p];
+    std::uint32_t before = segment.start.crossing;
+    for (std::size_t n = tracing_.begin(p); n < tracing_.begin(p + 1); ++n) {
+        const NewCrossing& fresh = tracing_.crossings()[n];
+        const NewTriangle& triangle = retriangulation.triangles[to_index(fresh.triangle)];
+        const bool canonical = hole_->ring[to_index(triangle.a)] < hole_->ring[to_index(triangle.b)];
         Crossing crossing{};
         crossing.s = fresh.s;
         crossing.t = canonical ? fresh.t : 1 - fresh.t;
-        crossing.original = piece.original;
+        crossing.original = segment.original;
         crossing.current = triangle.edge;
         crossing.rightward = fresh.into == canonical; // the triangle lies on the right of its diagonal a → b
-        const std::uint32_t id = map_.crossings.add(crossing, supply_);
-        map_.crossings.link(piece.original, before, id);
+        const std::uint32_t id = map_.crossings.add(crossing, free_list_);
+        map_.crossings.link(segment.original, before, id);
         before = id;
     }
-    map_.crossings.link(piece.original, before, piece.end.crossing);
+    map_.crossings.link(segment.original, before, segment.end.crossing);
 }
 
 } // namespace meshbound

@@ -1,53 +1,53 @@
 #pragma once
 
-#include "errors/accounting.hpp"
+#include "errors/error_model.hpp"
 #include "errors/tracked/closing_shares.hpp"
-#include "errors/tracked/hole_content.hpp"
+#include "errors/tracked/edge_tracing.hpp"
 #include "errors/tracked/hole_products.hpp"
-#include "retriangulation/hole_tree.hpp"
-#include "errors/tracked/laying.hpp"
-#include "metric/measured_rows.hpp"
-#include "meshbound/options.hpp"
-#include "metric/rows.hpp"
-#include "errors/tracked/settling.hpp"
+#include "errors/tracked/mapped_content.hpp"
 #include "errors/tracked/tracked_cost.hpp"
 #include "errors/tracked/tracked_map.hpp"
+#include "errors/tracked/vertex_relocation.hpp"
+#include "meshbound/options.hpp"
+#include "metric/bounded_rows.hpp"
+#include "metric/rows.hpp"
+#include "retriangulation/dual_tree.hpp"
 
 namespace meshbound {
 
-/// One removal after another on the tracked map: what lies in the hole settles and is laid over the new triangles, the errors
-/// against the original are measured there, and the map is changed accordingly.
-class TrackedRemoval final : public RemovalAccounting {
+/// Measures one removal after another by the tracked map: relocates the vertices and traces the edges in the hole over
+/// the new triangles, measures the errors against the original there, and updates the map.
+class TrackedRemoval final : public RemovalErrorModel {
 public:
-    TrackedRemoval(const Rows& rows, const MeasuredRows& measured_rows, const Surface& surface, TrackedMap& map,
-                   const Options& options, double content_with);
+    TrackedRemoval(const Rows& rows, const BoundedRows& bounded_rows, const Surface& surface, TrackedMap& map,
+                   const Options& options, double relocation_threshold);
 
     void enter(const Hole& hole) override;
-    void join(const std::vector<RemovalAccounting*>& parts, double squared_limit) override;
+    void share_closing_edges(const std::vector<RemovalErrorModel*>& models, double squared_limit) override;
     HoleCost& cost() override { return cost_; }
-    Measured measure(const Retriangulation& retriangulation, double squared_limit) override;
+    RemovalError measure(const Retriangulation& retriangulation, double squared_limit) override;
     void commit(const Retriangulation& retriangulation) override;
-    bool minds_turns() const override { return false; }
+    bool limits_normal_deviation() const override { return false; }
     std::size_t work() const override;
 
 private:
-    void fetch_ahead() const;
-    void commit_settlements(const Retriangulation& retriangulation);
-    void commit_piece(const Retriangulation& retriangulation, std::size_t p);
+    void prefetch_ahead() const;
+    void commit_images(const Retriangulation& retriangulation);
+    void commit_segment(const Retriangulation& retriangulation, std::size_t p);
 
     const Rows& rows_;
-    const MeasuredRows& measured_rows_;
+    const BoundedRows& bounded_rows_;
     const Surface& surface_;
     TrackedMap& map_;
-    Crossings::Supply supply_;
-    bool choose_places_;
-    double content_with_;
-    HoleContent content_;
+    Crossings::FreeList free_list_;
+    bool optimize_images_;
+    double relocation_threshold_;
+    MappedContent content_;
     HoleProducts products_;
     TrackedCost cost_;
-    HoleTree tree_;
-    Settling settling_;
-    Laying laying_;
+    DualTree tree_;
+    VertexRelocation relocation_;
+    EdgeTracing tracing_;
     const Hole* hole_ = nullptr;
 };
 

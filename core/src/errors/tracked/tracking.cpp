@@ -5,18 +5,18 @@
 
 namespace meshbound {
 
-Tracking::Tracking(const Rows& rows, const Surface& surface, const Options& options, double content_with)
-    : rows_(&rows), measured_rows_(rows), surface_(surface), options_(options), content_with_(content_with),
-      map_(surface) {}
+Tracking::Tracking(const Rows& rows, const Surface& surface, const Options& options, double relocation_threshold)
+    : rows_(&rows), bounded_rows_(rows), surface_(surface), options_(options),
+      relocation_threshold_(relocation_threshold), map_(surface) {}
 
-std::unique_ptr<RemovalAccounting> Tracking::removals() {
-    return std::make_unique<TrackedRemoval>(*rows_, measured_rows_, surface_, map_, options_, content_with_);
+std::unique_ptr<RemovalErrorModel> Tracking::make_removal_model() {
+    return std::make_unique<TrackedRemoval>(*rows_, bounded_rows_, surface_, map_, options_, relocation_threshold_);
 }
 
-/// Places are places, whatever errors are measured in.
-void Tracking::measure_in(const Rows& rows) {
+/// The map itself does not depend on the bounds.
+void Tracking::set_bounds(const Rows& rows) {
     rows_ = &rows;
-    measured_rows_ = MeasuredRows(rows);
+    bounded_rows_ = BoundedRows(rows);
 }
 
 void Tracking::errors(std::uint32_t slot, std::vector<ErrorRange>& ranges) const {
