@@ -1,6 +1,6 @@
 // Angles without libm, against libm.
 
-#include "angle.hpp"
+#include "geometry/angle.hpp"
 
 #include <cmath>
 
@@ -57,7 +57,7 @@ TEST(Angle, RisesAllTheWayRound) {
 TEST(Angle, ItsDirectionIsThatOfTheUnitCircle) {
     for (int i = 0; i <= 4'000; ++i) {
         const double angle = 2 * pi * i / 4'000;
-        const glm::dvec2 here = direction(angle);
+        const glm::dvec2 here = unit_vector(angle);
         EXPECT_NEAR(here.x, std::cos(angle), accuracy) << angle;
         EXPECT_NEAR(here.y, std::sin(angle), accuracy) << angle;
         if (angle < pi) {

@@ -1,6 +1,6 @@
 // The exact predicates against arithmetic with rational numbers of any size.
 
-#include "exact_orientation.hpp"
+#include "geometry/exact_orientation.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Lawson's algorithm finds places whose largest ratio is close to the least, against a fine grid.
 
-#include "minimax.hpp"
+#include "metric/minimax.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "joint_space.hpp"
 #include "meshbound/bounds.hpp"
 #include "meshes/random.hpp"
+#include "errors/tracked/joint_space.hpp"
 
 namespace {
 
@@ -47,7 +47,7 @@ struct Found {
 };
 
 /// Where fine steps over the triangle come lowest.
-Found in_triangle(const MeasuredRows& rows) {
+Found in_triangle(const BoundedRows& rows) {
     const double *a = rows[0], *b = rows[1], *c = rows[2], *row = rows[3];
     const auto ratio_at = [&](double x, double y) { return rows.squared_ratio(row, a, b, c, 1 - x - y, x, y); };
     Minimax minimax(rows);
@@ -55,11 +55,11 @@ Found in_triangle(const MeasuredRows& rows) {
     PlaneProducts sum;
     rows.sum_by_variable<LaneProducts>(within({a, b, c}, row), [&](const PlaneProducts& one) { sum.add(one, 1); });
     const glm::dvec2 first = nearest_in_triangle(sum);
-    Minimax::Place best{first, ratio_at(first.x, first.y)};
+    Minimax::Solution best{first, ratio_at(first.x, first.y)};
     const double before = best.squared_ratio;
     minimax.improve(best, [](const PlaneProducts& products) { return nearest_in_triangle(products); });
-    EXPECT_NEAR(best.squared_ratio, ratio_at(best.at.x, best.at.y), 1e-9 * (1 + best.squared_ratio));
-    EXPECT_GE(std::min({best.at.x, best.at.y, 1 - best.at.x - best.at.y}), -1e-12);
+    EXPECT_NEAR(best.squared_ratio, ratio_at(best.parameters.x, best.parameters.y), 1e-9 * (1 + best.squared_ratio));
+    EXPECT_GE(std::min({best.parameters.x, best.parameters.y, 1 - best.parameters.x - best.parameters.y}), -1e-12);
     double least = before;
     constexpr int steps = 120;
     for (int i = 0; i <= steps; ++i)
@@ -67,20 +67,21 @@ Found in_triangle(const MeasuredRows& rows) {
     return {before, best.squared_ratio, least};
 }
 
-Found between_segments(const MeasuredRows& rows) {
+Found between_segments(const BoundedRows& rows) {
     const JointSegment one{rows[0], rows[1]}, other{rows[2], rows[3]};
     const auto ratio_at = [&](double s, double t) {
-        return rows.squared_ratio(MeasuredRows::segment_difference(one.start, one.end, s, other.start, other.end, t));
+        return rows.squared_ratio(BoundedRows::segment_difference(one.start, one.end, s, other.start, other.end, t));
     };
     Minimax minimax(rows);
     minimax.enter(between(one, other));
     const auto nearest = [](const PlaneProducts& products) { return nearest_parameters(products, 0.1, 0.9); };
     const glm::dvec2 first = nearest(products_of(rows, one, other));
-    Minimax::Place best{first, ratio_at(first.x, first.y)};
+    Minimax::Solution best{first, ratio_at(first.x, first.y)};
     const double before = best.squared_ratio;
     minimax.improve(best, nearest);
-    EXPECT_NEAR(best.squared_ratio, ratio_at(best.at.x, best.at.y), 1e-9 * (1 + best.squared_ratio));
-    EXPECT_TRUE(best.at.x >= 0.1 && best.at.x <= 0.9 && best.at.y >= 0 && best.at.y <= 1);
+    EXPECT_NEAR(best.squared_ratio, ratio_at(best.parameters.x, best.parameters.y), 1e-9 * (1 + best.squared_ratio));
+    EXPECT_TRUE(best.parameters.x >= 0.1 && best.parameters.x <= 0.9 && best.parameters.y >= 0 &&
+                best.parameters.y <= 1);
     double least = before;
     constexpr int steps = 100;
     for (int i = 0; i <= steps; ++i)
@@ -97,7 +98,7 @@ void expect_close(const Find& find) {
         SCOPED_TRACE(seed);
         meshes::Random random(seed);
         const Points points(random, 4);
-        const Found found = find(MeasuredRows(points.rows()));
+        const Found found = find(BoundedRows(points.rows()));
         EXPECT_LE(found.chosen, found.least_squares); // never worse than where it began
         over += std::sqrt(found.least_squares) - std::sqrt(found.grid);
         left += std::max(0.0, std::sqrt(found.chosen) - std::sqrt(found.grid));

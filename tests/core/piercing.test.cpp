@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "geometry/triangle_intersection.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/near_lobes.hpp"
 #include "meshes/random.hpp"
@@ -16,7 +17,6 @@
 #include "modes.hpp"
 #include "promise.hpp"
 #include "self_intersection/self_intersections.hpp"
-#include "triangle_contact.hpp"
 
 namespace {
 
@@ -177,7 +177,7 @@ TEST(TriangleContactTest, AgreesWithTheJudge) {
                                  : common == 1 ? glm::uvec3(2, 3, 4)
                                                : glm::uvec3(2, 1, 3);
         const auto placed = [&](const glm::uvec3& t) {
-            return PlacedTriangle{{t.x, t.y, t.z}, {points[t.x], points[t.y], points[t.z]}};
+            return SpatialTriangle{{t.x, t.y, t.z}, {points[t.x], points[t.y], points[t.z]}};
         };
         std::set<std::array<double, 3>> distinct;
         for (const glm::dvec3& p : points) distinct.insert({p.x, p.y, p.z});
@@ -185,8 +185,8 @@ TEST(TriangleContactTest, AgreesWithTheJudge) {
             continue;
         const bool seen = judge_sees_contact(points, one, other);
         ++(seen ? contacts : misses)[common];
-        ASSERT_EQ(pierce(placed(one), placed(other)), seen) << "round " << round;
-        ASSERT_EQ(pierce(placed(other), placed(one)), seen) << "round " << round;
+        ASSERT_EQ(intersect_beyond_shared(placed(one), placed(other)), seen) << "round " << round;
+        ASSERT_EQ(intersect_beyond_shared(placed(other), placed(one)), seen) << "round " << round;
     }
     for (const std::size_t common : {0U, 1U, 2U}) {
         EXPECT_GT(contacts[common], 100) << common;

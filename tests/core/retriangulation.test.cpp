@@ -1,6 +1,6 @@
 // The dynamic programme finds the cheapest legal triangulation of a hole: against all of them.
 
-#include "retriangulation.hpp"
+#include "retriangulation/retriangulation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include "layout.hpp"
 #include "meshbound/bounds.hpp"
 #include "meshes/random.hpp"
+#include "retriangulation/layout.hpp"
 
 namespace {
 
@@ -84,7 +84,7 @@ public:
     /// A triangle that may be made, its edges, too, `taken` being those that the surface has elsewhere.
     bool allows(const Triple& t, const std::set<std::pair<int, int>>& taken) const {
         const auto free = [&](int i, int j) { return legality_->allows_edge(i, j) && taken.count({i, j}) == 0; };
-        return free(t.a, t.m) && free(t.m, t.b) && free(t.a, t.b) && legality_->lies_open(t.a, t.m, t.b) &&
+        return free(t.a, t.m) && free(t.m, t.b) && free(t.a, t.b) && legality_->is_ccw_in_layout(t.a, t.m, t.b) &&
                legality_->allows_triangle(RingTriangle(hole_, t.a, t.m, t.b));
     }
 

@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "mesh/orientation.hpp"
 #include "meshbound/segmentation.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
@@ -20,10 +21,9 @@
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
-#include "orientation.hpp"
 #include "promise.hpp"
 #include "samples.hpp"
-#include "segmentation_cutting.hpp"
+#include "segmentation/cell_cutter.hpp"
 
 namespace {
 
@@ -223,7 +223,8 @@ private:
         for (int i = 0; i < 3; ++i) ++at[{triangle[i], triangle[(i + 1) % 3]}];
     }
 
-    static std::vector<double> mixed(const VariableView& variable, const glm::uvec3& triangle, const glm::dvec3& weight) {
+    static std::vector<double> mixed(const VariableView& variable, const glm::uvec3& triangle,
+                                     const glm::dvec3& weight) {
         std::vector<double> sum(static_cast<std::size_t>(variable.components), 0);
         for (int i = 0; i < 3; ++i)
             for (std::size_t c = 0; c < sum.size(); ++c)
@@ -380,7 +381,7 @@ protected:
     Cells cut() {
         Mesh fan;
         fan.triangles = fan_;
-        const Faces faces(fan);
+        const FaceLookup faces(fan);
         Segmentation segmentation;
         CellCutter(faces, fan.regions).cut(0, outline_, segmentation);
         Cells cells;

@@ -16,9 +16,9 @@
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "patches.hpp"
 #include "promise.hpp"
-#include "team.hpp"
+#include "reduction/patches.hpp"
+#include "util/thread_pool.hpp"
 
 namespace {
 
@@ -197,33 +197,33 @@ TEST(ThreadsOfLevelsTest, AnyNumberGivesTheSameLevelsAndMorphs) {
     for (std::size_t i = 0; i < alone.links.size(); ++i) expect_same(alone.links[i].map, together.links[i].map);
 }
 
-TEST(TeamTest, DoesEachTaskOnce) {
-    Team team(4);
+TEST(ThreadPoolTest, DoesEachTaskOnce) {
+    ThreadPool pool(4);
     for (const std::size_t tasks : {0U, 1U, 3U, 1000U}) {
         std::vector<std::atomic<int>> done(tasks);
-        team.run(tasks, [&](std::size_t member, std::size_t task) {
-            EXPECT_LT(member, team.size());
+        pool.run(tasks, [&](std::size_t member, std::size_t task) {
+            EXPECT_LT(member, pool.size());
             ++done[task];
         });
         EXPECT_TRUE(std::all_of(done.begin(), done.end(), [](const auto& times) { return times == 1; }));
     }
 }
 
-TEST(TeamTest, PassesOnAnExceptionAndGoesOn) {
-    Team team(3);
+TEST(ThreadPoolTest, PassesOnAnExceptionAndGoesOn) {
+    ThreadPool pool(3);
     const auto fail = [](std::size_t, std::size_t task) {
         if (task == 5) throw std::runtime_error("task 5");
     };
-    EXPECT_THROW(team.run(100, fail), std::runtime_error);
+    EXPECT_THROW(pool.run(100, fail), std::runtime_error);
     std::atomic<int> done{0};
-    team.run(10, [&](std::size_t, std::size_t) { ++done; });
+    pool.run(10, [&](std::size_t, std::size_t) { ++done; });
     EXPECT_EQ(done, 10);
 }
 
 /// That patch alone in which it lies.
 void expect_one_holds(const Patches& patches, const glm::dvec3& position) {
     for (std::size_t patch = 0; patch < patches.count(); ++patch)
-        EXPECT_EQ(patches.holds(patch, position), patch == patches.at(position));
+        EXPECT_EQ(patches.contains(patch, position), patch == patches.patch_of(position));
 }
 
 TEST(PatchesTest, HoldAboutEquallyMany) {
@@ -237,7 +237,7 @@ TEST(PatchesTest, HoldAboutEquallyMany) {
         const Patches patches(rows, vertices, 4, shift);
         std::vector<std::size_t> count(patches.count());
         for (const std::uint32_t v : vertices) {
-            ++count[patches.at(rows.position(v))];
+            ++count[patches.patch_of(rows.position(v))];
             expect_one_holds(patches, rows.position(v));
         }
         EXPECT_GT(*std::min_element(count.begin(), count.end()), vertices.size() / 32);
@@ -253,7 +253,7 @@ TEST(PatchesTest, ManyVerticesAtOnePlaceLieInOnePatch) {
     const std::vector<std::uint32_t> vertices(1000, 0);
     const Patches patches(rows, vertices, 3, 0);
     for (std::uint32_t v = 0; v < vertex_count(mesh); ++v)
-        EXPECT_EQ(patches.at(rows.position(v)), patches.at(rows.position(0)));
+        EXPECT_EQ(patches.patch_of(rows.position(v)), patches.patch_of(rows.position(0)));
     expect_one_holds(patches, rows.position(0)); // below, at and above where all cuts are
     for (const double x : {0.0, 0.5, 2.0}) expect_one_holds(patches, glm::dvec3(x));
 }

@@ -1,8 +1,8 @@
 import type { Variable } from '../../wasm/index.ts';
 import { withoutRegionNotes } from '../formats/region-notes.ts';
 import { counted, grouped, listed, printable, quoted } from '../formats/wording.ts';
-import { coincidentIn } from '../surface/coincident.ts';
 import { nonFiniteWords } from '../session/oddity-notes.ts';
+import { coincidentIn } from '../surface/coincident.ts';
 import { topologyOf } from '../surface/topology.ts';
 import { usedPoints } from '../surface/used-points.ts';
 import { spanOf } from '../surface/value-span.ts';
