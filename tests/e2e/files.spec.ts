@@ -142,7 +142,7 @@ test('says which variable is no number somewhere, and offers to leave it out', a
   await expect(page().getByRole('alert')).toHaveCount(0);
   await page().getByRole('button', { name: 'Leave out “pressure”' }).click();
   await expect(notices).toContainText('“pressure” was left out');
-  await expect(page().locator('meshbound-bound-row')).toHaveCount(1);
+  await expect(page().locator('meshbound-bound-row')).toHaveCount(2);
   await expect(sentence(page())).toContainText('2 of 4 triangles');
 });
 
