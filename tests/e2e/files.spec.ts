@@ -131,7 +131,8 @@ test('opens a surface together with variables in CSV', async () => {
 test('says which variable is no number somewhere, and offers to leave it out', async () => {
   await dropFile(page(), 'square.ply', squareWithNaN());
   const notices = page().locator('meshbound-notices');
-  await expect(notices).toContainText('“pressure” holds NaN or infinity (at 1 point, which is 1)');
+  await expect(notices).toContainText(/“pressure” holds values that are no numbers \(at point 1/);
+  await expect(sentence(page())).toContainText('Free, so nothing promised: pressure.');
   await expect(sentence(page())).toContainText('2 of 4 triangles');
   const row = page().locator('meshbound-bound-row').nth(1);
   await expect(row).toContainText('has NaN');

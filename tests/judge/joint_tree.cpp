@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace judge {
@@ -13,13 +12,14 @@ constexpr std::uint32_t leaf_size = 4;
 }
 
 JointTree::JointTree(const JointSurface& surface, const JointSpace& space)
-    : surface_(surface), components_(space.components), metric_(space.components), order_(surface.triangles.size()),
-      origin_(static_cast<std::size_t>(surface.dimensions), 0.0), scaled_{origin_, origin_, origin_} {
-    if (order_.empty()) throw std::invalid_argument("a surface_ without triangles");
-    std::iota(order_.begin(), order_.end(), 0U);
-    nodes_.reserve(order_.size());
+    : surface_(surface), components_(space.components), metric_(space.components),
+      fragments_(cut_into_fragments(surface)),
+      origin_(static_cast<std::size_t>(surface.dimensions), 0.0), scaled_{origin_, origin_, origin_},
+      looked_at_(surface.triangles.size(), 0) {
+    if (fragments_.empty()) throw std::invalid_argument("a surface without triangles");
+    nodes_.reserve(fragments_.size());
     nodes_.push_back({});
-    split(0, 0, static_cast<std::uint32_t>(order_.size()));
+    split(0, 0, static_cast<std::uint32_t>(fragments_.size()));
 }
 
 void JointTree::enclose(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
@@ -34,19 +34,18 @@ void JointTree::enclose(std::uint32_t node, std::uint32_t begin, std::uint32_t e
     std::fill(low, high, std::numeric_limits<double>::infinity());
     std::fill(high, high + d, -std::numeric_limits<double>::infinity());
     for (std::uint32_t i = begin; i < end; ++i)
-        for (std::uint32_t vertex : surface_.triangles[order_[i]]) {
-            const double* row = surface_.row(vertex);
+        for (int corner = 0; corner < 3; ++corner)
             for (std::size_t k = 0; k < d; ++k) {
-                low[k] = std::min(low[k], row[k]);
-                high[k] = std::max(high[k], row[k]);
+                const double place = fragments_[i].at(surface_, corner, static_cast<int>(k));
+                low[k] = std::min(low[k], place);
+                high[k] = std::max(high[k], place);
             }
-        }
 }
 
 double JointTree::most_multiplier(std::uint32_t begin, std::uint32_t end) const {
     double most = 0;
     for (std::uint32_t i = begin; i < end; ++i)
-        for (const std::uint32_t vertex : surface_.triangles[order_[i]])
+        for (const std::uint32_t vertex : surface_.triangles[fragments_[i].triangle])
             most = std::max(most, surface_.multipliers[vertex]);
     return most;
 }
@@ -60,9 +59,9 @@ int JointTree::widest(std::uint32_t node) const {
     return best;
 }
 
-double JointTree::middle(std::uint32_t triangle, int dimension) const {
-    const auto& t = surface_.triangles[triangle];
-    return surface_.row(t[0])[dimension] + surface_.row(t[1])[dimension] + surface_.row(t[2])[dimension];
+double JointTree::middle(const Fragment& fragment, int dimension) const {
+    return fragment.at(surface_, 0, dimension) + fragment.at(surface_, 1, dimension) +
+           fragment.at(surface_, 2, dimension);
 }
 
 void JointTree::split(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
@@ -73,8 +72,8 @@ void JointTree::split(std::uint32_t node, std::uint32_t begin, std::uint32_t end
     }
     const int dimension = widest(node);
     const std::uint32_t half = begin + (end - begin) / 2;
-    std::nth_element(order_.begin() + begin, order_.begin() + half, order_.begin() + end,
-                     [&](std::uint32_t s, std::uint32_t t) { return middle(s, dimension) < middle(t, dimension); });
+    std::nth_element(fragments_.begin() + begin, fragments_.begin() + half, fragments_.begin() + end,
+                     [&](const Fragment& s, const Fragment& t) { return middle(s, dimension) < middle(t, dimension); });
     const auto children = static_cast<std::uint32_t>(nodes_.size());
     nodes_[node] = {children, 0};
     nodes_.resize(nodes_.size() + 2);
@@ -121,6 +120,9 @@ Nearest JointTree::multiplied(const double* q, std::uint32_t triangle, double en
 }
 
 void JointTree::try_triangle(const double* q, double enough, std::uint32_t triangle, Foot& foot) const {
+    if (looked_at_[triangle] == search_) return; // by another fragment of it
+    looked_at_[triangle] = search_;
+    ++distances_found_;
     const auto& t = surface_.triangles[triangle];
     const Nearest found = most_multipliers_.empty()
                               ? metric_.to_triangle(q, surface_.row(t[0]), surface_.row(t[1]), surface_.row(t[2]),
@@ -131,6 +133,7 @@ void JointTree::try_triangle(const double* q, double enough, std::uint32_t trian
 
 Foot JointTree::nearest(const double* q, double enough, std::uint32_t guess) const {
     Foot foot;
+    ++search_;
     try_triangle(q, enough, guess, foot);
     pending_.assign(1, {box_distance(q, 0), 0});
     while (!pending_.empty() && foot.nearest.distance > enough) {
@@ -139,7 +142,7 @@ Foot JointTree::nearest(const double* q, double enough, std::uint32_t guess) con
         if (next.distance >= foot.nearest.distance) continue;
         const Node& node = nodes_[next.node];
         for (std::uint32_t i = 0; i < node.count && foot.nearest.distance > enough; ++i)
-            try_triangle(q, enough, order_[node.first + i], foot);
+            try_triangle(q, enough, fragments_[node.first + i].triangle, foot);
         if (node.count > 0) continue;
         Pending near{box_distance(q, node.first), node.first};
         Pending far{box_distance(q, node.first + 1), node.first + 1};

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "judge/fragments.hpp"
 #include "judge/joint_distance.hpp"
 #include "judge/joint_surface.hpp"
 
@@ -16,7 +17,8 @@ struct Foot {
     std::uint32_t triangle = 0;
 };
 
-/// A tree of boxes in the joint space over the triangles of a surface. The surface must outlive it.
+/// A tree of boxes in the joint space over the triangles of a surface, long thin ones in fragments: boxes are around these,
+/// distances are to the whole triangle. The surface must outlive it.
 class JointTree {
 public:
     JointTree(const JointSurface& surface, const JointSpace& space);
@@ -26,8 +28,11 @@ public:
     /// multiplier there.
     Foot nearest(const double* q, double enough, std::uint32_t guess) const;
 
+    /// How many distances to triangles were worked out so far: what a search costs.
+    std::size_t distances_found() const { return distances_found_; }
+
 private:
-    /// An inner node has its children at `first` and `first + 1`; a leaf its triangles at order[first … first + count].
+    /// An inner node has its children at `first` and `first + 1`; a leaf its fragments at fragments_[first … first + count].
     struct Node {
         std::uint32_t first;
         std::uint32_t count; ///< 0 for an inner node
@@ -40,7 +45,7 @@ private:
     void enclose(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
     void split(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
     int widest(std::uint32_t node) const;
-    double middle(std::uint32_t triangle, int dimension) const;
+    double middle(const Fragment& fragment, int dimension) const;
     double box_distance(const double* q, std::uint32_t node) const;
     double most_multiplier(std::uint32_t begin, std::uint32_t end) const;
     Nearest multiplied(const double* q, std::uint32_t triangle, double enough, double cutoff) const;
@@ -49,13 +54,16 @@ private:
     const JointSurface& surface_;
     std::vector<int> components_;
     JointDistance metric_;
-    std::vector<std::uint32_t> order_;
+    std::vector<Fragment> fragments_; ///< leaf after leaf
     std::vector<Node> nodes_;
     std::vector<double> boxes_;            ///< a node's lowest, then its highest corner
     std::vector<double> most_multipliers_; ///< by node; empty where the surface has none
     std::vector<double> origin_;
     mutable std::array<std::vector<double>, 3> scaled_;
     mutable std::vector<Pending> pending_;
+    mutable std::size_t distances_found_ = 0;
+    mutable std::vector<std::uint32_t> looked_at_; ///< by triangle: the search that has looked at it last
+    mutable std::uint32_t search_ = 0;
 };
 
 } // namespace judge

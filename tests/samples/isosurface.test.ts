@@ -91,7 +91,7 @@ describe('isosurface', () => {
   });
 
   it('of an unknown variable is refused', () => {
-    expect(() => isosurface(volume, 'colour', 1, [])).toThrow('no variable "colour"');
+    expect(() => isosurface(volume, 'colour', 1, [])).toThrow('no variable “colour”');
   });
 });
 

@@ -100,7 +100,7 @@ describe('reduceOnward', () => {
     const bounds = percent(3);
     for (const part of ['triangles', 'vertices', 'variables', 'oddities', 'dropped', 'regions'] as const) {
       const refused = reduceOnward({ ...waypoint, report: { ...report, [part]: undefined } }, { bounds });
-      const message = `The waypoint has no "${part}" where it should.`;
+      const message = `The waypoint has no “${part}” where it should.`;
       await expect(refused).rejects.toMatchObject({ code: 'bad_waypoint', message });
     }
     const unreported = { ...waypoint, report: undefined } as unknown as Waypoint;
@@ -115,7 +115,8 @@ describe('reduceOnward', () => {
     const { waypoint } = await passed();
     const bounds = percent(3);
     const whole = await reduceOnward(waypoint, { bounds });
-    const { triangles, vertices, variables, oddities, dropped, regions, nonManifoldVertices } = waypoint.report;
+    const { triangles, vertices, variables, candidates, oddities, dropped, regions, nonManifoldVertices } =
+      waypoint.report;
     const spent = variables.map(({ name, extent, magnitude, constant, error }) => ({
       name,
       extent,
@@ -124,7 +125,7 @@ describe('reduceOnward', () => {
       error,
     }));
     const report = {
-      ...{ oddities, dropped, regions, nonManifoldVertices, variables: spent },
+      ...{ candidates, oddities, dropped, regions, nonManifoldVertices, variables: spent },
       ...{ triangles: { before: triangles.before }, vertices: { before: vertices.before } },
     };
     const onward = await reduceOnward({ ...waypoint, report } as unknown as Waypoint, { bounds });

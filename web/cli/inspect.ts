@@ -2,6 +2,7 @@ import type { Variable } from '../../wasm/index.ts';
 import { withoutRegionNotes } from '../formats/region-notes.ts';
 import { counted, grouped, listed, printable, quoted } from '../formats/wording.ts';
 import { nonFiniteWords } from '../session/oddity-notes.ts';
+import { coincidentIn } from '../surface/coincident.ts';
 import { topologyOf } from '../surface/topology.ts';
 import { usedPoints } from '../surface/used-points.ts';
 import { spanOf } from '../surface/value-span.ts';
@@ -69,6 +70,7 @@ function inspection({ path, format, mesh, units, componentNames, notes, regions,
     vertices,
     unusedVertices: usedPoints(mesh.triangles, vertices).filter((used) => used === 0).length,
     ...topologyOf(mesh.triangles, vertices),
+    coincident: coincidentIn(mesh.triangles, vertices),
     variables: [position, ...mesh.variables].map(describe),
     cellData: [
       ...[...(regions ?? [])].map(([name, labels]) => ({ name, labels: new Set(labels).size, unfit: null })),
@@ -95,6 +97,7 @@ function countsText(found: Inspection): string {
     ['vertices', found.vertices],
     ...unusedRow(found),
     ['components', found.components],
+    ...coincidentRows(found),
     ['boundary loops', found.boundaryLoops],
     ['non-manifold edges', found.nonManifoldEdges],
     ...discordantRow(found),
@@ -106,6 +109,15 @@ function countsText(found: Inspection): string {
 /** Where triangles face different ways `reduce` turns them, so that such edges are no trouble. */
 function discordantRow({ discordantEdges }: Inspection): [string, number][] {
   return discordantEdges > 0 ? [['  between triangles facing different ways', discordantEdges]] : [];
+}
+
+/** Triangles on the same three points: `reduce` takes both sides of a sheet together, and leaves copies out. */
+function coincidentRows({ coincident: { copied, twoSided } }: Inspection): [string, number][] {
+  const rows: [string, number][] = [
+    ['pairs of triangles that are two sides', twoSided],
+    ['copies of other triangles', copied],
+  ];
+  return rows.filter(([, count]) => count > 0);
 }
 
 /** What stands at such vertices counts for nothing, in the table below either. */
