@@ -29,9 +29,7 @@ beforeAll(async () => {
 
 test('inspect says where', async () => {
   const { stdout } = await folder.run('inspect', 'holes.vtp');
-  expect(stdout).toContain(
-    '“sst” holds values that are no numbers (at 3 points, the first of them 17, counted from 0)',
-  );
+  expect(stdout).toContain('“sst” holds NaN or infinity (at 3 points, the first of which is 17)');
   expect(stdout).not.toContain('“pressure” holds');
   const { variables } = JSON.parse((await folder.run('inspect', '--json', 'holes.vtp')).stdout);
   expect(variables[1]).toMatchObject({ name: 'sst', nan: 3, infinite: 1, nonFinite: { vertices: 3, first: 17 } });

@@ -50,10 +50,10 @@ export function unusedNotes(count: number, become = 'left out of the result'): s
   return [`${vertices} to no triangle: ${become}.`];
 }
 
-/** That a variable is NaN or infinite somewhere, to go before a colon. */
+/** What a variable holds that lets it have no bound, to go before a colon. */
 export function nonFiniteWords(name: string, { vertices, first }: NonFinite): string {
-  const where = vertices === 1 ? `at point ${first}` : `at ${vertices} points, the first of them ${first}`;
-  return `${quoted(name)} holds values that are no numbers (${where}, counted from 0)`;
+  const points = vertices === 1 ? `1 point, which is ${first}` : `${vertices} points, the first of which is ${first}`;
+  return `${quoted(name)} holds NaN or infinity (at ${points})`;
 }
 
 function triangles(count: number): string {

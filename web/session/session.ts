@@ -264,9 +264,7 @@ export class Session extends EventTarget {
   #noteNonFinite(source: Source, file: OpenedFile, variables: VariableExtent[]): void {
     for (const { name, nonFinite } of variables) {
       if (!nonFinite) continue;
-      const { free } = this.#state.bounds[name];
-      const bound = free ? 'it has no bound, and is carried along as it is' : 'it can have no bound';
-      const text = `${nonFiniteWords(name, nonFinite)}: ${bound}.`;
+      const text = `${nonFiniteWords(name, nonFinite)}: it can have no bound, and is only carried along.`;
       const take = () => void this.#open(withoutVariable(source, file, name));
       this.#notify({ kind: 'note', text, remedy: { label: `Leave out ${quoted(name)}`, take } });
     }

@@ -13,7 +13,7 @@ export interface Frame {
 }
 
 /** The frame of the points that triangles use: around the centre of their box (radius 1 where they all coincide). */
-export function frameOf(position: Triangles['position'], triangles: Uint32Array): Frame {
+export function frameOf({ position, triangles }: Triangles): Frame {
   const used = usedPoints(triangles, position.length / 3);
   const centre = centreOf(position, used);
   const radius = farthest(position, used, centre);
