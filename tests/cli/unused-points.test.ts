@@ -67,6 +67,30 @@ describe.each(['far.vtp', 'nowhere.vtp'])('%s', (file) => {
   });
 });
 
+test('GLB has no NaN: points without a triangle that hold it stay behind, others do not', async () => {
+  const { position, triangles } = engine();
+  const points = position.length / 3;
+  const mesh: Mesh = {
+    position: Float32Array.of(Number.NaN, 0, 0, 5, 5, 5, ...position, 6, 6, 6),
+    triangles: triangles.map((corner) => corner + 2),
+    variables: [
+      {
+        name: 't',
+        components: 1,
+        values: Float32Array.from({ length: points + 3 }, (_, i) => (i === points + 2 ? Infinity : i)),
+      },
+    ],
+  };
+  await folder.save('stray.ply', mesh);
+  const { status, stderr } = await folder.run('convert', 'stray.ply', 'out.glb');
+  const loss = 'out.glb: GLB has no place for 2 points of no triangle where something is not finite.\n';
+  expect({ status, stderr }).toEqual({ status: 0, stderr: loss });
+  const { mesh: found } = await folder.read('out.glb');
+  expect(found.position).toEqual(mesh.position.slice(3, -3));
+  expect(found.triangles).toEqual(triangles.map((corner) => corner + 1));
+  expect(found.variables[0].values).toEqual(mesh.variables[0].values.slice(1, -1));
+});
+
 test('STL has no place for points without a triangle, which is said, and asks nothing of them', async () => {
   const { position, triangles } = engine();
   const mesh: Mesh = { position: Float32Array.of(...position, Number.NaN, 0, 0), triangles, variables: [] };

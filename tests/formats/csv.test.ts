@@ -97,6 +97,7 @@ describe('a CSV file beside a surface', () => {
     ['one name twice', 'p,p\n1,2\n1,2\n1,2\n1,2\n', 'duplicate_name', '“p”', 'column 2'],
     ['a name that the surface has', 'q\n1\n2\n3\n4\n', 'duplicate_name', '“q”'],
     ['the name of the geometry', 'position\n1\n2\n3\n4\n', 'duplicate_name', '“position”'],
+    ['the name that stands for all', '*\n1\n2\n3\n4\n', 'duplicate_name', '“*”', 'stands for all variables'],
     ['a column without name', 'p,\n1,2\n1,2\n1,2\n1,2\n', 'empty_name', 'column 2'],
   ])('with %s is refused', async (_, text, code, ...words) => {
     const error = await add(text).then(

@@ -40,6 +40,17 @@ describe('a file', () => {
     }
   });
 
+  it('whose variable is named like what stands for all of them has it renamed, with its unit, and says so', async () => {
+    const variables = ['*', 'q'].map((name) => ({ name, components: 1, values: Float32Array.of(1, 2, 3, 4) }));
+    for (const format of ['vtp', 'vtk', 'ply', 'glb'] as const) {
+      const file = await writeSurface(format, smallMesh(variables), { units: { '*': 'K' }, componentNames: {} });
+      const { mesh, summary, units } = await readSurface(`mesh.${format}`, file);
+      expect(mesh.variables.map(({ name }) => name)).toEqual(['*_2', 'q']);
+      expect({ ...units }).toEqual({ '*_2': 'K' });
+      expect(summary).toContain('The variable “*” is called “*_2” from here on: “*” stands for all variables.');
+    }
+  });
+
   it('is named after its format by the ending that is known', () => {
     expect(['a.ply', 'a.vtp.gz', 'b.c.VTK', 'glb', 'a.txt', 'a.constructor', ''].map(formatByEnding)).toEqual([
       'ply',

@@ -58,6 +58,7 @@ function meshOf(arrays: LabelledArrays): Mesh {
       name: name.slice('variable:'.length),
       components: values.length / (position.length / 3),
       values: values as Float64Array,
+      ...(name === 'variable:ids' ? { kind: 'identifier' as const } : {}),
     })),
   };
 }

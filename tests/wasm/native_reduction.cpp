@@ -12,9 +12,11 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "hashes/result_arrays.hpp"
@@ -154,6 +156,24 @@ void go_onward(const std::string& path, const Mesh& mesh) {
     write_reduction(path + ".onward", reduction);
 }
 
+std::vector<double> with_strays(std::vector<double> values, int components, double stray) {
+    values.insert(values.end(), 2 * static_cast<std::size_t>(components), stray);
+    return values;
+}
+
+/// With an identifier called "ids", which no bound for all is about and which is no number in places, and two points of no
+/// triangle, which are nowhere; native.test.ts knows the kind by the name.
+Mesh with_ids_and_strays(Mesh mesh) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    mesh.position.values = with_strays(std::get<std::vector<double>>(mesh.position.values), 3, nan);
+    for (Variable& variable : mesh.variables)
+        variable.values = with_strays(std::get<std::vector<double>>(variable.values), variable.components, nan);
+    std::vector<double> ids(vertex_count(mesh));
+    for (std::size_t v = 0; v < ids.size(); ++v) ids[v] = v % 50 == 7 ? nan : 1000 + static_cast<double>(v);
+    mesh.variables.push_back({"ids", 1, std::move(ids), VariableKind::identifier});
+    return mesh;
+}
+
 std::vector<meshes::Exhibit> exhibits() {
     std::vector<meshes::Exhibit> all = meshes::gallery();
     // Small beside the wave of the usual fields, so that some of it can go.
@@ -168,6 +188,7 @@ std::vector<meshes::Exhibit> exhibits() {
     add("one triangle reversed", meshes::one_triangle_reversed(12));
     add("shared out in patches", meshes::noisy_sphere(30, 0.01, 1));
     add("degenerate triangles", meshes::with_degenerate_triangles(meshes::three_sheets(6)));
+    all.push_back({"ids and strays", with_ids_and_strays(all.back().mesh), false});
     return all;
 }
 

@@ -2,6 +2,7 @@ import { describe, expect, test } from 'vitest';
 import {
   areFirst,
   asBounds,
+  boundsThatFit,
   defaultBounds,
   largestFraction,
   moveAll,
@@ -16,6 +17,19 @@ describe('bound settings', () => {
       position: { relative: 0.01 },
       pressure: { relative: 0.03 },
     });
+  });
+
+  test('leave free what is no number somewhere, by presets too, unless a bound names it', () => {
+    const variable = { components: 1, extent: 9, magnitude: 9, constant: false };
+    const sst = { ...variable, name: 'sst', nonFinite: { vertices: 1, first: 0 } };
+    const pressure = { ...variable, name: 'pressure' };
+    expect(asBounds(defaultBounds([pressure, sst]))).toEqual({ pressure: { relative: 0.03 }, sst: 'free' });
+    const preset = { '*': { relative: 0.05 } };
+    const fitting = boundsThatFit(preset, [pressure, sst]);
+    expect(asBounds(settingsFrom(fitting, [pressure, sst]))).toEqual({ pressure: { relative: 0.05 }, sst: 'free' });
+    const named = { ...preset, sst: { relative: 0.1 } };
+    expect(boundsThatFit(named, [pressure, sst])).toEqual(named);
+    expect(boundsThatFit(preset, [pressure])).toEqual(preset);
   });
 
   test('leave identifiers free, unless a bound names them', () => {

@@ -7,6 +7,7 @@ import { identifierNotes, withKinds } from './identifiers.ts';
 import { withJoinedFaces } from './loose-faces.ts';
 import { withOpenSeams } from './open-seams.ts';
 import { recognise } from './recognise.ts';
+import { renamedKeys, renamedVariables, reservedNames } from './reserved-names.ts';
 import { stlKind } from './stl-kind.ts';
 import { type Beside, type Format, noLabels, type Surface } from './surface.ts';
 import { withinMemory } from './within-memory.ts';
@@ -66,14 +67,12 @@ export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promi
   const { readCsv } = await import('./read-csv.ts');
   const { mesh } = surface.asRead ?? surface;
   const added = await withinMemory(async () => readCsv(await unpacked(csv), mesh.position.length / 3));
-  const known = new Set([geometry, ...mesh.variables.map(({ name }) => name)]);
+  const known = new Set([...reservedNames, ...mesh.variables.map(({ name }) => name)]);
   const twice = added.variables.find(({ name }) => known.has(name));
   if (twice) {
-    throw new FormatError(
-      'duplicate_name',
-      `The surface already has a variable named ${quoted(twice.name)}.`,
-      quoted(twice.name),
-    );
+    const { name } = twice;
+    const why = name === '*' ? 'it stands for all variables' : 'the surface already has one of that name';
+    throw new FormatError('duplicate_name', `No variable can be added as ${quoted(name)}: ${why}.`, quoted(name));
   }
   const more = withKinds(added.variables, mesh.triangles);
   const extended = withVariables(surface, (variables) => [...variables, ...more]);
@@ -92,7 +91,7 @@ async function readUnpacked(name: string, whole: Uint8Array, beside?: Beside): P
   const bytes = withoutByteOrderMark(whole);
   const format = recognise(bytes, name);
   const read = await readers[format]();
-  const surface = withIdentifiers(withoutGeometryName(await withinMemory(async () => read(bytes, beside))));
+  const surface = withIdentifiers(withoutReservedNames(await withinMemory(async () => read(bytes, beside))));
   return { ...surface, format, notes: [...endingNote(name, format), ...surface.notes] };
 }
 
@@ -120,19 +119,15 @@ function withIdentifiers(surface: Surface): Surface {
   return { ...surface, mesh: { ...mesh, variables }, notes: [...notes, ...identifierNotes(variables)] };
 }
 
-/** What the geometry is called among the variables. */
-const geometry = 'position';
-
-/** No variable can be called as the geometry is; one that is gets another name, and this is said. */
-function withoutGeometryName(surface: Surface): Surface {
-  const { mesh, notes } = surface;
-  const names = new Set(mesh.variables.map(({ name }) => name));
-  if (!names.has(geometry)) return surface;
-  let free = `${geometry}_2`;
-  for (let copy = 3; names.has(free); copy++) free = `${geometry}_${copy}`;
-  const variables = mesh.variables.map((each) => (each.name === geometry ? { ...each, name: free } : each));
-  const note = `The variable ${quoted(geometry)} is called ${quoted(free)} from here on: ${quoted(geometry)} is the geometry.`;
-  return { ...surface, mesh: { ...mesh, variables }, notes: [...notes, note] };
+/** A surface with names that its variables may have. */
+function withoutReservedNames(surface: Surface): Surface {
+  const { mesh, notes, units, componentNames } = surface;
+  const { variables, names, notes: more } = renamedVariables(mesh.variables);
+  if (names.size === 0) return surface;
+  // What a file says of “position” it says of the geometry.
+  const others = new Map([...names].filter(([name]) => name !== 'position'));
+  const labels = { units: renamedKeys(units, others), componentNames: renamedKeys(componentNames, others) };
+  return { ...surface, ...labels, mesh: { ...mesh, variables }, notes: [...notes, ...more] };
 }
 
 function endingNote(name: string, format: Format): string[] {

@@ -5,6 +5,7 @@ import { formatNames } from './format-names.ts';
 import { gzip } from './gzip.ts';
 import { labelArrays } from './label-arrays.ts';
 import type { Format, Labels, WriteOptions } from './surface.ts';
+import { gather } from './weld.ts';
 import { withinMemory } from './within-memory.ts';
 import { counted, listed, quoted } from './wording.ts';
 
@@ -87,7 +88,8 @@ const writers: Record<Format, () => Promise<Writer>> = {
 export async function writeSurface(format: Format, mesh: Mesh, options?: WriteOptions): Promise<Uint8Array> {
   const writer = await writers[format]();
   requirePlace(format, mesh, writer);
-  const file = await withinMemory(() => writer.write(mesh, options));
+  const held = withPoints(mesh, writtenPoints(format, mesh));
+  const file = await withinMemory(() => writer.write(held, options));
   return options?.gzip ? gzip(file) : file;
 }
 
@@ -166,29 +168,52 @@ function requireNames(format: Format, { variables }: Mesh): void {
   throw new FormatError('empty_name', `${formatNames[format]} cannot hold a variable without a name.`);
 }
 
-/** By point whether a file of this format holds it: STL has triangles, and no points without. */
-function writtenPoints(format: Format, { position, triangles }: Mesh): Uint8Array {
+/**
+ * By point whether a file of this format holds it: STL has triangles, and no points without; GLB has no NaN, so a point without a
+ * triangle stays behind where it holds one.
+ */
+function writtenPoints(format: Format, { position, triangles, variables }: Mesh): Uint8Array {
   const points = position.length / 3;
-  return format === 'stl' ? cornersOf(triangles, points) : new Uint8Array(points).fill(1);
+  if (format !== 'stl' && format !== 'glb') return new Uint8Array(points).fill(1);
+  const written = new Uint8Array(points);
+  if (format === 'glb') {
+    const arrays = [{ components: 3, values: position }, ...variables];
+    for (let point = 0; point < points; point++)
+      written[point] = arrays.every((each) => isSingleAt(each, point)) ? 1 : 0;
+  }
+  for (const corner of triangles) written[corner] = 1;
+  return written;
 }
 
-/** By point 1 where a triangle names it, be that a surface or not. */
-function cornersOf(triangles: Uint32Array, points: number): Uint8Array {
-  const named = new Uint8Array(points);
-  for (const corner of triangles) named[corner] = 1;
-  return named;
+function isSingle(value: number): boolean {
+  return Number.isFinite(Math.fround(value));
+}
+
+function isSingleAt({ values, components }: Pick<Variable, 'values' | 'components'>, point: number): boolean {
+  return values.subarray(point * components, (point + 1) * components).every(isSingle);
+}
+
+/** The mesh of the points that a file holds. */
+function withPoints(mesh: Mesh, written: Uint8Array): Mesh {
+  if (!written.includes(0)) return mesh;
+  const kept = Uint32Array.from(written.keys()).filter((point) => written[point] === 1);
+  const numbers = new Uint32Array(written.length);
+  for (const [number, point] of kept.entries()) numbers[point] = number;
+  const variables = mesh.variables.map((each) => ({ ...each, values: gather(each.values, each.components, kept) }));
+  const triangles = mesh.triangles.map((corner) => numbers[corner]);
+  return { ...mesh, position: gather(mesh.position, 3, kept), triangles, variables };
 }
 
 function pointLosses(format: Format, mesh: Mesh): string[] {
   const lost = writtenPoints(format, mesh).filter((written) => written === 0).length;
-  return lost > 0 ? [`${formatNames[format]} has no place for ${counted(lost, 'point')} of no triangle.`] : [];
+  const where = format === 'glb' ? ' where something is not finite' : '';
+  return lost > 0 ? [`${formatNames[format]} has no place for ${counted(lost, 'point')} of no triangle${where}.`] : [];
 }
 
 function requireFinite(format: Format, variables: Variable[], written: Uint8Array): void {
   for (const { name, components, values } of variables) {
-    const isHeld = (value: number) => Number.isFinite(Math.fround(value));
     const wrong = values.find(
-      (value: number, i: number) => written[Math.floor(i / components)] === 1 && !isHeld(value),
+      (value: number, i: number) => written[Math.floor(i / components)] === 1 && !isSingle(value),
     );
     if (wrong === undefined) continue;
     const fault = Number.isFinite(wrong) ? 'which is beyond single precision' : 'which is not finite';

@@ -171,7 +171,6 @@ export class BoundRow extends LitElement {
 
   #reached() {
     if (!this.reached) return nothing;
-    if (Number.isNaN(this.reached.error)) return html`<span class="soft">${pageEnglish.bounds.errorUnknown}</span>`;
     const { shownWith } = this;
     const other = shownWith
       ? html`<span class="other">${pageEnglish.bounds.shownWith(this.#text(shownWith))}</span> `

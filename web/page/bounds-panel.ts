@@ -4,6 +4,7 @@ import type { Report, VariableExtent } from '../../wasm/index.ts';
 import {
   type BoundSetting,
   type BoundSettings,
+  boundsThatFit,
   largestFraction,
   parsePercent,
   sameSetting,
@@ -218,7 +219,7 @@ export class BoundsPanel extends LitElement {
     const items = presets.map(({ text, title, bounds }) => ({
       text,
       title,
-      take: () => this.#change({ bounds: readBounds(bounds) }),
+      take: () => this.#change({ bounds: boundsThatFit(readBounds(bounds), this.surface?.variables ?? []) }),
     }));
     return html`<meshbound-menu label=${pageEnglish.bounds.presets} .items=${items}></meshbound-menu>`;
   }

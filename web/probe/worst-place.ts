@@ -119,7 +119,7 @@ function largestOf(count: number, numberOf: (index: number) => number): number {
   let largest = -Infinity;
   for (let index = 0; index < count; index++) {
     const number = numberOf(index);
-    if (!(number > largest)) continue; // not a number: not known
+    if (number <= largest) continue;
     largest = number;
     best = index;
   }

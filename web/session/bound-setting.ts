@@ -62,6 +62,12 @@ export function settingsFrom(bounds: Bounds, variables: readonly VariableExtent[
   return Object.fromEntries(settings);
 }
 
+/** Bounds that were not made for these variables: one that can have no bound, and is not named, is free. */
+export function boundsThatFit(bounds: Bounds, variables: readonly VariableExtent[]): Bounds {
+  const free = variables.filter(({ name, nonFinite }) => nonFinite && !Object.hasOwn(bounds, name));
+  return Object.fromEntries([...Object.entries(bounds), ...free.map(({ name }): [string, Bound] => [name, 'free'])]);
+}
+
 /** A bound in the variable's unit. */
 export function inUnit(absolute: number, variable: VariableExtent): BoundSetting {
   return { fraction: absolute / wholeOf(variable), absolute, free: false };

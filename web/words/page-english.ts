@@ -29,7 +29,6 @@ export const pageEnglish = {
     shownWith: (bound: string) => `shown with ${bound}:`,
     free: 'no bound',
     error: 'error',
-    errorUnknown: 'error not known: not all values are numbers',
     errorHint: 'No point of the surface has a larger error than this: show where it is.',
     undo: 'Undo',
     redo: 'Redo',
