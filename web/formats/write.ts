@@ -5,6 +5,7 @@ import { formatNames } from './format-names.ts';
 import { gzip } from './gzip.ts';
 import { labelArrays } from './label-arrays.ts';
 import type { Format, Labels, WriteOptions } from './surface.ts';
+import { noLongerWhole } from './whole-numbers.ts';
 import { withinMemory } from './within-memory.ts';
 import { listed, quoted } from './wording.ts';
 
@@ -120,6 +121,9 @@ export async function lossesOf(format: Format, mesh: Mesh, labels: LabelNames = 
   const kept = keptVariables(mesh, lost(mesh));
   sentences.push(...regionLosses(format, mesh, labels, writer));
   if (!holdsLabels) sentences.push(...labelLosses(format, kept, labels));
+  const floated = noLongerWhole(format, kept.slice(1), labels).map(({ name }) => name);
+  if (floated.length > 0)
+    sentences.push(`${formatNames[format]} holds as floating point what were whole numbers: ${listed(floated)}.`);
   const roundings = single ? roundingsOf(format, { ...mesh, variables: kept.slice(1) }, labels.origin) : [];
   const rounded = kept.flatMap(({ name }, i) =>
     roundings[i] > 0 ? [`${quoted(name)} (by up to ${roundings[i].toPrecision(2)})`] : [],
