@@ -378,7 +378,7 @@ export class MeshboundViewer extends ViewerProperties {
     const reduced = this.shown;
     if (!reduced) return;
     try {
-      const { name, content, losses } = await savedFile(surface, reduced, this.levels.state.nested, kind);
+      const { name, content, losses } = await savedFile(surface, reduced, this.levels.state.nested, kind, reduce);
       download(name, content);
       this.#tellSaved(name, reduced, losses);
     } catch (error) {
