@@ -128,17 +128,32 @@ test('opens a surface together with variables in CSV', async () => {
   await expect.poll(async () => (await counts(page())).before).toBe(2 * 11 * 11);
 });
 
-test('offers to leave out a variable that is no number', async () => {
+test('says which variable is no number somewhere, and offers to leave it out', async () => {
   await dropFile(page(), 'square.ply', squareWithNaN());
-  await expect(page().locator('meshbound-notices')).toContainText(
-    /“pressure” holds values that are no numbers \(at point 1/,
-  );
-  await expect(sentence(page())).toContainText('Free, so nothing promised: pressure.');
-  await expect(page().locator('meshbound-bound-row', { hasText: 'pressure' })).toContainText('error not known');
-  await page().getByRole('button', { name: 'Leave out “pressure”' }).click();
+  const notices = page().locator('meshbound-notices');
+  await expect(notices).toContainText('“pressure” holds NaN or infinity (at 1 point, which is 1)');
   await expect(sentence(page())).toContainText('2 of 4 triangles');
-  await expect(sentence(page())).not.toContainText('pressure');
-  await expect(page().locator('meshbound-notices')).toContainText('“pressure” was left out');
+  const row = page().locator('meshbound-bound-row').nth(1);
+  await expect(row).toContainText('has NaN');
+  await expect(row).toContainText('error not known');
+  await page().getByLabel('pressure bounded').check();
+  await expect(page().getByRole('alert')).toContainText(/“pressure” is not a number at vertex 1/);
+  await page().getByLabel('pressure bounded').uncheck();
+  await expect(page().getByRole('alert')).toHaveCount(0);
+  await page().getByRole('button', { name: 'Leave out “pressure”' }).click();
+  await expect(notices).toContainText('“pressure” was left out');
+  await expect(page().locator('meshbound-bound-row')).toHaveCount(1);
+  await expect(sentence(page())).toContainText('2 of 4 triangles');
+});
+
+test('says of an identifier that it is one, and gives it no bound', async () => {
+  const vertices = [0, 1, 2, 3, 4, 5, 6, 7, 8].map((i) => [i % 3, Math.floor(i / 3), 0, 100 + i]);
+  const faces = [0, 1, 3, 4].map((i) => [i, i + 1, i + 4, i + 3]);
+  await dropFile(page(), 'ids.ply', ply({ vertices, faces, variables: ['GlobalNodeID'] }));
+  const row = page().locator('meshbound-bound-row').nth(1);
+  await expect(row).toContainText('identifier');
+  await expect(page().getByLabel('GlobalNodeID bounded')).not.toBeChecked();
+  await expect(sentence(page())).toContainText('2 of 8 triangles');
 });
 
 test('says what is odd about a file that it opens', async () => {

@@ -46,7 +46,7 @@ test('bounds can be chosen ready-made, and stated in the variable’s unit', asy
   await field.press('Enter');
   await expect(sentence(page())).toContainText(/3\.54.% in temperature/);
   await page().getByLabel('How the bound of temperature is stated').selectOption('%');
-  await expect(page().getByLabel('Bound of temperature in percent')).toHaveValue('3.53');
+  await expect(page().getByLabel('Bound of temperature in percent')).toHaveValue('3.532');
 });
 
 test('draws how many triangles other bounds would leave, with the present ones among them', async () => {

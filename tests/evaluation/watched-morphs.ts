@@ -100,7 +100,7 @@ class Theatre {
       finer: { end: morph.finer, surface: finer },
       coarser: { end: morph.coarser, surface: coarser },
     };
-    await this.#viewer.showMorph(0, source, frameOf(this.#mesh.position, this.#mesh.triangles), (...ends) => {
+    await this.#viewer.showMorph(0, source, frameOf(this.#mesh), (...ends) => {
       const places = [finer, coarser].map((mesh, end) => carriedOver(this.#placesOf(mesh), 1, ends[end]));
       return [places[0], places[1]];
     });

@@ -82,3 +82,16 @@ test('many parts give the answer that looking at every pair gives', () => {
     }),
   );
 });
+
+test('what is no surface is near nothing and joins nothing', () => {
+  const apart = together(grid(5, 0, 0, 0), grid(5, 0, 0, 1));
+  const points = apart.position.length / 3;
+  const strays = 200_000;
+  const position = new Float64Array(apart.position.length + 3 + 3 * strays).fill(Number.NaN);
+  position.set(apart.position);
+  position.fill(0.5, 3 * points, 3 * points + 3);
+  // Of a triangle with a point twice nothing is a surface: neither one of the stray point, nor one from sheet to sheet.
+  const mesh = { position, triangles: Uint32Array.of(0, 0, points, 0, points - 1, 0, ...apart.triangles) };
+  expect(havePartsWithin(mesh, 0.99)).toBe(false);
+  expect(havePartsWithin(mesh, 1.01)).toBe(true);
+});

@@ -68,3 +68,12 @@ describe('what multiplies the bounds near a point', () => {
     return Math.hypot(mesh.position[3 * vertex] - x, mesh.position[3 * vertex + 1] - y);
   }
 });
+
+test('triangles that name a point twice count for nothing, whatever stands at their points', () => {
+  const mesh = plate(4);
+  const at = { point: [0, 0, 0] as const, radius: 1, factor: 0.1 };
+  const position = Float64Array.of(...mesh.position, Number.NaN, 0, 0, 0, 0, 0);
+  const points = mesh.position.length / 3;
+  const more = { ...mesh, position, triangles: Uint32Array.of(...mesh.triangles, 24, 24, points, 24, points + 1, 24) };
+  expect(multiplierNear(more, at)).toEqual(Float64Array.of(...multiplierNear(mesh, at), 1, 1));
+});

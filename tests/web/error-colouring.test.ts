@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { Mesh, Reduction, TriangleErrors, VariableReport, VertexErrors } from '../../wasm/types.ts';
+import { missingPlace } from '../../web/colour/missing-place.ts';
 import { originalErrors, reducedErrors } from '../../web/element/error-colouring.ts';
 import { firstView, type Quantity, type ViewSettings } from '../../web/element/view-settings.ts';
 
@@ -137,5 +138,30 @@ describe('signed errors', () => {
     );
     expect([...places]).toEqual([0, 0, 0]);
     expect(meaning).toMatchObject({ range: { lowest: -7, highest: 7 }, bounded: false });
+  });
+});
+
+describe('where an error is not known, there is nothing to show', () => {
+  const unknown = reduction({ bound: Infinity, errors: [0, Number.NaN, 1], signed: [0, Number.NaN, 1] });
+  unknown.report.variables[1].error = Number.NaN;
+  const [first] = unknown.triangleErrors;
+  const two = { ...first, lowest: Float32Array.of(Number.NaN, -3), highest: Float32Array.of(Number.NaN, 2) };
+  const free = { ...unknown, triangleErrors: [first, { ...two, ratio: Float32Array.of(0, 0) }] };
+
+  test('on the original in the whole triangle, with a legend as far as errors are known', () => {
+    const colouring = originalErrors(mesh, free, labels, view('t', 'signed-error'));
+    expect([...(colouring?.places ?? [])]).toEqual(Array(3).fill(Math.fround(missingPlace)));
+    expect(colouring?.meaning.range).toEqual({ lowest: -3, highest: 3 });
+  });
+
+  test('on the reduced surface in that triangle alone', () => {
+    const { places } = reducedErrors(free, labels, view('t', 'signed-error'));
+    expect([...places]).toEqual([...Array(3).fill(Math.fround(missingPlace)), 0, 0, 0]);
+  });
+
+  test('and nothing at all of a share, since the variable is free', () => {
+    const { places, meaning } = reducedErrors(free, labels, view('t', 'error'));
+    expect([...places]).toEqual(Array(6).fill(Math.fround(missingPlace)));
+    expect(meaning.free).toBe(true);
   });
 });

@@ -50,7 +50,7 @@ describe('a morph as it is drawn', async () => {
   const percent = (share: number) => ({ '*': { relative: share / 100 } });
   const { levels, morphs } = await reduceLevels(mesh, { levels: [percent(1), percent(3)], morphs: true });
   const surfaces = [mesh, ...levels.map((level) => level.mesh)];
-  const frame = frameOf(mesh.position, mesh.triangles);
+  const frame = frameOf(mesh);
   const drawn = surfaces.map((surface) => surfaceArrays(surface, frame));
 
   test('stands at both ends where the morph of the core has its corners', () => {

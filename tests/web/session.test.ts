@@ -116,28 +116,56 @@ describe('opening', () => {
     expect(session.state.opening).toBeNull();
   });
 
-  test('says which variable is no number somewhere, which begins without a bound, and offers to leave it out', async () => {
+  describe('a variable that is no number somewhere', () => {
     const nonFinite = { vertices: 2, first: 1 };
-    const { session, runs } = setUp({
-      inspect: async (mesh) => {
-        const inspection = await inspect(mesh);
-        const variables = inspection.variables.map((each) =>
-          each.name === 'pressure' ? { ...each, nonFinite } : each,
-        );
-        return { ...inspection, variables };
-      },
+    const withHoles: Services['inspect'] = async (mesh) => {
+      const { variables, ...rest } = await inspect(mesh);
+      return { ...rest, variables: variables.map((each) => (each.name === 'sst' ? { ...each, nonFinite } : each)) };
+    };
+    const read: Services['read'] = async () => fileWith(meshWith('sst', 'pressure'));
+
+    async function opened() {
+      const { session, runs } = setUp({ inspect: withHoles, read });
+      await session.openFile(file('a.ply'));
+      const notices = session.state.notices.filter(({ text }) => text.includes('“sst”'));
+      return { session, runs, notices };
+    }
+
+    test('starts free, which one note says, with what may be done', async () => {
+      const { session, runs, notices } = await opened();
+      expect(runs[0].options.bounds).toMatchObject({ sst: 'free', pressure: { relative: 0.03 } });
+      expect(notices).toMatchObject([{ kind: 'note', remedy: { label: 'Leave out “sst”' } }]);
+      expect(notices[0].text).toContain('holds NaN or infinity (at 2 points, the first of which is 1)');
+      expect(texts(session).join()).not.toContain('“pressure”');
     });
-    await session.openFile(file('a.ply'));
-    expect(runs[0].options.bounds).toMatchObject({ pressure: 'free' });
-    const notice = session.state.notices.find(({ remedy }) => remedy);
-    expect(notice?.kind).toBe('note');
-    expect(notice?.text).toBe(
-      '“pressure” holds values that are no numbers (at 2 points, the first of them 1, counted from 0): it has no bound, and is carried along as it is.',
-    );
-    notice?.remedy?.take();
-    await settled();
-    expect(session.state.surface?.mesh.variables).toEqual([]);
-    expect(texts(session)).toContain('The variable “pressure” was left out.');
+
+    test('can be left out', async () => {
+      const { session, notices } = await opened();
+      notices[0].remedy?.take();
+      await settled();
+      expect(session.state.surface?.mesh.variables.map(({ name }) => name)).toEqual(['pressure']);
+      expect(texts(session)).toContain('The variable “sst” was left out.');
+      expect(texts(session).join()).not.toContain('NaN');
+    });
+
+    test('is refused by the core where it gets a bound, which is said; without it, all is well again', async () => {
+      const { session, runs } = await opened();
+      runs[0].finish();
+      await settled();
+      const refusal = Object.assign(new Error('“sst” can have no bound.'), { code: 'non_finite_value' });
+      session.setBound('sst', { fraction: 0.1, free: false });
+      runs[1].fail(refusal);
+      await settled();
+      expect(session.state).toMatchObject({
+        refusal: '“sst” can have no bound.',
+        reduced: { bounds: { sst: { free: true } } },
+      });
+      session.setBound('sst', { fraction: 0.1, free: true });
+      runs[2].finish();
+      await settled();
+      expect(standingOf(session.state)).toBe('asked');
+      expect(texts(session)).not.toContain('“sst” can have no bound.');
+    });
   });
 });
 

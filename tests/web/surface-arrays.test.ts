@@ -47,7 +47,8 @@ describe('normals for smooth shading', () => {
 
 describe('a surface as it is drawn', () => {
   const position = new Float64Array([1e7, 0, 0, 1e7 + 2, 0, 0, 1e7, 2, 0]);
-  const frame = frameOf(position, Uint32Array.of(0, 1, 2));
+  const triangles = new Uint32Array([0, 1, 2]);
+  const frame = frameOf({ position, triangles });
 
   test('fills the frame around the origin', () => {
     expect(frame.centre).toEqual([1e7 + 1, 1, 0]);
@@ -55,18 +56,27 @@ describe('a surface as it is drawn', () => {
   });
 
   test('keeps its shape far from the origin, where single precision alone would lose it', () => {
-    const { corners } = surfaceArrays({ position, triangles: new Uint32Array([0, 1, 2]) }, frame);
+    const { corners } = surfaceArrays({ position, triangles }, frame);
     const edge = Math.hypot(corners[3] - corners[0], corners[4] - corners[1], corners[5] - corners[2]);
     expect(edge).toBeCloseTo(Math.SQRT2, 6);
   });
 
   test('a surface of a single place has a frame too', () =>
-    expect(frameOf(new Float32Array(9), Uint32Array.of(0, 1, 2)).radius).toBe(1));
+    expect(frameOf({ position: new Float32Array(9), triangles }).radius).toBe(1));
 
-  test('points that no triangle uses have no part in it', () => {
-    const position = new Float64Array([1, 1, 0, 3, 1, 0, 3, 3, 0, 1e9, 0, 0, Number.NaN, 0, 0]);
-    const frame = frameOf(position, Uint32Array.of(0, 1, 2));
-    expect(frame.centre).toEqual([2, 2, 0]);
-    expect(frame.radius).toBeCloseTo(Math.SQRT2, 12);
+  test.each([[Number.NaN], [0], [-1e300]])(
+    'its frame is that of what triangles use, whatever stands at %d',
+    (place) => {
+      const more = Float64Array.of(...position, place, 0, 0, place, place, place);
+      expect(frameOf({ position: more, triangles: Uint32Array.of(3, 4, 4, 0, 1, 2) })).toEqual(frame);
+    },
+  );
+
+  test('what names a point twice is drawn nowhere, and shades nothing', () => {
+    const more = Float64Array.of(...position, Number.NaN, 0, 0);
+    const drawn = surfaceArrays({ position: more, triangles: Uint32Array.of(0, 1, 2, 0, 0, 3) }, frame);
+    expect(drawn.corners.subarray(0, 9)).toEqual(surfaceArrays({ position, triangles }, frame).corners);
+    expect(drawn.normals.subarray(0, 9)).toEqual(surfaceArrays({ position, triangles }, frame).normals);
+    expect([...drawn.corners.subarray(9)]).toEqual(Array(9).fill(0));
   });
 });

@@ -1,9 +1,9 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
-import { counted } from '../formats/wording.ts';
+import { counted, quoted } from '../formats/wording.ts';
 import { usedPoints } from '../surface/used-points.ts';
 import { scaleOf, spanOf } from '../surface/value-span.ts';
 import { type Bounds, boundOf, requireKnownBounds } from './bound-arguments.ts';
-import { Fault, UsageFault } from './fault.ts';
+import { Fault, UsageFault, unboundedAdvice } from './fault.ts';
 import type { OpenedSurface } from './surface-files.ts';
 
 /** Two surfaces with what has a bound, in one order, and no other variable. */
@@ -66,11 +66,14 @@ function positionOf({ position }: Mesh): Variable {
 }
 
 function requireFinite(path: string, variable: Variable, triangles: Uint32Array): void {
-  const { nan, infinite } = spanOf(variable, triangles);
-  const faulty = nan + infinite;
-  if (faulty === 0) return;
-  const values = `${counted(faulty, 'value')} that ${faulty === 1 ? 'is' : 'are'} not finite`;
-  throw new Fault(`${path}: “${variable.name}” holds ${values}.`);
+  const { nonFinite } = spanOf(variable, triangles);
+  if (!nonFinite) return;
+  const { name, components, values } = variable;
+  const here = values.subarray(nonFinite.first * components, (nonFinite.first + 1) * components);
+  const fault = here.some(Number.isNaN) ? 'not a number' : 'infinite';
+  const held = `${path}: ${quoted(name)} is ${fault} at point ${nonFinite.first}`;
+  if (name === 'position') throw new Fault(`${held}.`);
+  throw new Fault(`${held}; so it can have no bound.${unboundedAdvice(name)}`);
 }
 
 function hasSurface({ triangles }: Mesh): boolean {

@@ -37,11 +37,16 @@ export function faultOf(file: string, error: unknown): unknown {
   return error;
 }
 
-/** What to do about a variable that only reading and verifying can deal with. */
+/** What to do about a variable that is in the way. */
 function advice(error: FormatError | MeshboundError): string {
-  const inTheWay = error.code === 'not_finite' || error.code === 'non_finite_value';
-  const name = error instanceof FormatError ? error.where : error.variable;
-  if (!inTheWay || name === undefined || name === 'position') return '';
-  const free = error instanceof MeshboundError ? ` To carry it along without a bound: --bound "${name}=free".` : '';
-  return `${free} To leave the variable out: --exclude "${name}".`;
+  if (error instanceof MeshboundError) {
+    return error.code === 'non_finite_value' && error.variable ? unboundedAdvice(error.variable) : '';
+  }
+  const inTheWay = error.code === 'not_finite' && error.where !== 'position';
+  return inTheWay ? ` To leave the variable out: --exclude "${error.where}".` : '';
+}
+
+/** The two ways out where a variable can have no bound. */
+export function unboundedAdvice(name: string): string {
+  return ` To carry it along as it is, with nothing promised of it: --bound "${name}=free". To leave it out: --exclude "${name}".`;
 }

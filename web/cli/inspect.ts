@@ -1,6 +1,7 @@
 import type { Variable } from '../../wasm/index.ts';
 import { withoutRegionNotes } from '../formats/region-notes.ts';
 import { counted, grouped, listed, printable, quoted } from '../formats/wording.ts';
+import { nonFiniteWords } from '../session/oddity-notes.ts';
 import { coincidentIn } from '../surface/coincident.ts';
 import { topologyOf } from '../surface/topology.ts';
 import { usedPoints } from '../surface/used-points.ts';
@@ -36,7 +37,15 @@ Examples:
 function inspection({ path, format, mesh, units, componentNames, notes, regions, unfitRegions }: OpenedSurface) {
   const vertices = mesh.position.length / 3;
   const describe = (variable: Variable) => {
-    const { components, extent, magnitude, constant, nan, infinite } = spanOf(variable, mesh.triangles);
+    const {
+      components,
+      extent,
+      magnitude,
+      constant,
+      nan,
+      infinite,
+      nonFinite = null,
+    } = spanOf(variable, mesh.triangles);
     return {
       name: variable.name,
       components: variable.components,
@@ -50,6 +59,7 @@ function inspection({ path, format, mesh, units, componentNames, notes, regions,
       constant,
       nan,
       infinite,
+      nonFinite,
     };
   };
   const position = { name: 'position', components: 3, values: mesh.position };
@@ -144,6 +154,11 @@ function variableRows({
   return single ? [row] : [row, ...parts];
 }
 
+function unboundedText(name: string): string {
+  if (name === 'position') return 'so the surface cannot be reduced';
+  return 'it can have no bound; free, it is carried along as it is';
+}
+
 function print(found: Inspection): void {
   console.log(`${found.file} (${found.format.toUpperCase()})`);
   console.log(countsText(found));
@@ -154,6 +169,9 @@ function print(found: Inspection): void {
     console.log(
       `\n  Identifiers: ${listed(identifiers)}. Only a bound of that name is about them; “*” leaves them free.`,
     );
+  }
+  for (const { name, nonFinite } of found.variables) {
+    if (nonFinite) console.log(`\n  ${nonFiniteWords(name, nonFinite)}: ${unboundedText(name)}.`);
   }
   const constant = found.variables.filter((each) => each.constant).map(({ name }) => name);
   if (constant.length > 0) {

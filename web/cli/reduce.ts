@@ -11,7 +11,7 @@ import { originIn } from '../formats/file-rounding.ts';
 import { labelsWithMap, takenMapNames, triangleName, withMap } from '../formats/map-variables.ts';
 import type { Labels } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
-import { boundsForFile, reportOfFile } from '../session/bounds-for-file.ts';
+import { boundsForFile, leastMultiplier, reportOfFile } from '../session/bounds-for-file.ts';
 import { droppedNotes, featureNotes, nearPartsNotes, oddityNotes } from '../session/oddity-notes.ts';
 import { reportJson, type Seams } from '../session/report-json.ts';
 import { havePartsWithin } from '../surface/near-parts.ts';
@@ -156,7 +156,7 @@ async function reduceAndWrite(
   const { mesh } = surface;
   const format = outputFormat(output);
   // A part of every bound is the format's: what is promised is promised of the file.
-  const least = leastMultiplier(keeping, surface);
+  const least = leastMultiplier(mesh, keeping.focus);
   const [first, ...coarser] = await named(output, async () =>
     (levels ?? [options.bounds]).map((bounds) => boundsForFile(format, mesh, bounds, least)),
   );
@@ -173,13 +173,6 @@ async function reduceAndWrite(
   const nested = await callCore(surface, request, signal, call);
   const reported = nested.levels.map((level, i) => ({ ...level, report: reportOfFile(level.report, parts[i], least) }));
   return writeLevels(files, request, { ...surface, origin }, { ...nested, levels: reported });
-}
-
-/** The smallest multiplier of the bounds; 1 where nothing multiplies them. What is none is for the core to refuse. */
-function leastMultiplier({ focus }: Request['keeping'], { mesh }: OpenedSurface): number {
-  const values = mesh.variables.find(({ name }) => name === focus)?.values ?? [];
-  const least = values.length > 0 ? (values as number[]).reduce((lowest, value) => Math.min(lowest, value)) : 1;
-  return least > 0 ? least : 1;
 }
 
 /** Whether nothing that was asked for keeps near parts from piercing each other. */

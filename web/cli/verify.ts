@@ -8,6 +8,7 @@ import { parseArguments } from './arguments.ts';
 import { parseBounds, unnamed } from './bound-arguments.ts';
 import type { Command } from './command.ts';
 import { comparable, multipliersOf } from './comparable.ts';
+import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
 import { faultOf, UsageFault } from './fault.ts';
 import { parseFocus } from './keeping-arguments.ts';
@@ -31,6 +32,7 @@ Options:
   -b, --bound NAME=BOUND  as often as needed
   --variables FILE.csv    more variables of ORIGINAL: names in the first line, then a line for each point
   ${weldHelp}
+  --exclude NAME          leave a variable of ORIGINAL out, as often as needed
   --focus NAME            a variable of ORIGINAL that multiplies every bound, as for “meshbound reduce”
   --samples N             how many points of each surface are looked at, more or less (default 50000);
                           never fewer than its vertices, edges and triangles
@@ -48,6 +50,7 @@ const signature = {
     bound: { type: 'string', short: 'b', multiple: true, default: [] as string[] },
     variables: { type: 'string' },
     weld: { type: 'string' },
+    exclude: { type: 'string', multiple: true, default: [] as string[] },
     focus: { type: 'string', multiple: true, default: [] as string[] },
     samples: { type: 'string', default: '50000' },
     json: { type: 'boolean', default: false },
@@ -89,7 +92,7 @@ async function run(args: string[]): Promise<number> {
   const samples = parseSamples(values.samples);
   const weld = parseWeld(values.weld);
   const focus = parseFocus(values.focus);
-  const original = await openSurface(positionals[0], values.variables, { weld });
+  const original = without(values.exclude, await openSurface(positionals[0], values.variables, { weld }));
   const reduced = await openSurface(positionals[1]);
   const { names, limits, one, other } = comparable(original, reduced, bounds);
   const multipliers = focus === undefined ? [] : multipliersOf(original, focus);
@@ -100,7 +103,8 @@ async function run(args: string[]): Promise<number> {
     const found = { original: original.path, reduced: reduced.path, ...findings, within };
     console.log(JSON.stringify(found, undefined, 2));
   } else if (!values.quiet) {
-    for (const { path, notes, mesh } of [original, reduced]) sayNotes(path, [...notes, ...unusedNotes(unusedIn(mesh))]);
+    for (const { path, notes, mesh } of [original, reduced])
+      sayNotes(path, [...notes, ...unusedNotes(unusedIn(mesh), 'nothing is compared there')]);
     sayNotes(original.path, freeNotes(unnamed(bounds, original.mesh)));
     const position = { name: 'position', components: 3, values: original.mesh.position };
     console.log(verdictText(findings, spanOf(position, original.mesh.triangles).components));

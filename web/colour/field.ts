@@ -1,4 +1,5 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
+import { usedPoints } from '../surface/used-points.ts';
 import { type ColourRange, dataRange, placeIn } from './colour-range.ts';
 import { missingPlace } from './missing-place.ts';
 
@@ -49,8 +50,7 @@ function norm(values: ArrayLike<number>, begin: number, end: number): number {
 
 /** A field's values at the vertices that triangles use, once each. */
 export function usedValues(field: Field, triangles: Uint32Array): Float64Array {
-  const used = new Uint8Array(field.length);
-  for (const vertex of triangles) used[vertex] = 1;
+  const used = usedPoints(triangles, field.length);
   return Float64Array.from(field).filter((_, vertex) => used[vertex] === 1);
 }
 

@@ -5,10 +5,10 @@ import type { Format } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import { lossesOf, writeLevels, writeSurface } from '../formats/write.ts';
 import { asBounds } from '../session/bound-setting.ts';
-import { requireKept } from '../session/bounds-for-file.ts';
+import { leastMultiplier, requireKept } from '../session/bounds-for-file.ts';
 import type { OpenSurface } from '../session/open-surface.ts';
 import { pointsText } from '../session/point-list.ts';
-import { leastMultiplier, reducedForFile } from '../session/reduced-for-file.ts';
+import { reducedForFile } from '../session/reduced-for-file.ts';
 import { reportJson } from '../session/report-json.ts';
 import type { Services } from '../session/services.ts';
 import type { Reduced } from '../session/session-state.ts';
@@ -65,7 +65,8 @@ function reportOf({ result, bounds, method, keeping }: Reduced): string {
 async function levelsFile(surface: OpenSurface, reduced: Reduced, levels: Levels | null): Promise<Saved> {
   const { name, labels } = surface;
   if (!levels) throw new Error(english.faults.noLevels);
-  const least = leastMultiplier(taskOf(surface, reduced.method, reduced.keeping));
+  const { mesh: asked, options } = taskOf(surface, reduced.method, reduced.keeping);
+  const least = leastMultiplier(asked, options.focus);
   for (const { mesh, report } of levels.levels) requireKept('glb', mesh, report, least);
   const content = await writeLevels(levels, labels);
   const losses = await lossesOf('glb', levels.levels[0].mesh, labels);

@@ -95,7 +95,8 @@ function signScale(reduction: Multiplied, labels: Labels, settings: ViewSettings
   const index = chosenIndex(reduction, settings);
   const variable = reduction.report.variables[index];
   const bounded = !isFree(variable) && !isDiagnostic(reduction, settings) && !reduction.multiplier;
-  const largest = isDiagnostic(reduction, settings) ? largestSize(reduction.triangleErrors[index]) : variable.error;
+  const isKnown = !isDiagnostic(reduction, settings) && !Number.isNaN(variable.error);
+  const largest = isKnown ? variable.error : largestSize(reduction.triangleErrors[index]);
   const reach = bounded ? variable.bound : largest;
   const { lowestBound, highestBound, lowestError, highestError } = english.legend;
   return {
@@ -118,8 +119,10 @@ function isDiagnostic(reduction: Multiplied, { variable }: ViewSettings): boolea
   return variable === 'position' && !isMeasured(reduction);
 }
 
+/** Of those that are known. */
 function largestSize({ lowest, highest }: TriangleErrors): number {
-  return largerInSize(lowest, highest).reduce((largest, error) => Math.max(largest, Math.abs(error)), 0);
+  const size = (largest: number, error: number) => (Math.abs(error) > largest ? Math.abs(error) : largest);
+  return largerInSize(lowest, highest).reduce(size, 0);
 }
 
 /** What the sign of an error means, or what it is a share of. */

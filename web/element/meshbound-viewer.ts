@@ -13,7 +13,7 @@ import { answerOf, type Reduced, type SessionState, type Standing, standingOf } 
 import { readOptionsFrom } from './read-options.ts';
 import './bound-slider.ts';
 import { controlsStyle } from './controls-style.ts';
-import { download, type SavedKind, savedFile } from './download.ts';
+import type { SavedKind } from './download.ts';
 import { keepingAttributes, keepingFrom } from './keeping-attributes.ts';
 import './levels-panel.ts';
 import { LevelMotion } from './level-motion.ts';
@@ -378,6 +378,8 @@ export class MeshboundViewer extends ViewerProperties {
     const reduced = this.shown;
     if (!reduced) return;
     try {
+      // Loaded when it is first needed, as the formats' writers are.
+      const { download, savedFile } = await import('./download.ts');
       const { name, content, losses } = await savedFile(surface, reduced, this.levels.state.nested, kind, reduce);
       download(name, content);
       this.#tellSaved(name, reduced, losses);

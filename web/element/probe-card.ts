@@ -162,7 +162,7 @@ export class ProbeCard extends LitElement {
   #row(variable: ProbedVariable) {
     const { name, error, bound, ratio } = variable;
     const unit = this.labels?.units[name];
-    const free = error !== null && !Number.isFinite(bound);
+    const free = !Number.isFinite(bound) && this.state.probe?.reduced != null;
     // While the map is made, an error would be that of a triangle, and jump.
     const known = !this.state.pending;
     return html`<tr>

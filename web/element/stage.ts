@@ -280,7 +280,7 @@ export class Stage extends LitElement {
   }
 
   #showOriginal(): void {
-    if (this.surface) this.#frame = frameOf(this.surface.mesh.position, this.surface.mesh.triangles);
+    if (this.surface) this.#frame = frameOf(this.surface.mesh);
     void this.#show(original, this.surface?.mesh ?? null);
   }
 

@@ -7,7 +7,7 @@ import { labelArrays } from './label-arrays.ts';
 import type { Format, Labels, WriteOptions } from './surface.ts';
 import { noLongerWhole } from './whole-numbers.ts';
 import { withinMemory } from './within-memory.ts';
-import { listed, quoted } from './wording.ts';
+import { counted, listed, quoted } from './wording.ts';
 
 interface Writer {
   write: (mesh: Mesh, options?: WriteOptions) => Uint8Array | Promise<Uint8Array>;
@@ -108,14 +108,14 @@ function relativeError({ error, extent }: VariableReport): number | undefined {
 
 function requirePlace(format: Format, mesh: Mesh, { lost, single, nameless }: Writer): void {
   if (!nameless) requireNames(format, mesh);
-  if (single) requireFinite(format, keptVariables(mesh, lost(mesh)));
+  if (single) requireFinite(format, keptVariables(mesh, lost(mesh)), writtenPoints(format, mesh));
 }
 
 /** What a file of this format will not hold of the mesh and its labels, a sentence each; nothing for PLY, VTP and legacy VTK. */
 export async function lossesOf(format: Format, mesh: Mesh, labels: LabelNames = {}): Promise<string[]> {
   const writer = await writers[format]();
   const { lost, single, labels: holdsLabels } = writer;
-  const sentences: string[] = [];
+  const sentences = pointLosses(format, mesh);
   const names = lost(mesh).map(({ name }) => name);
   if (names.length > 0) sentences.push(`${formatNames[format]} has no place for the variables ${listed(names)}.`);
   const kept = keptVariables(mesh, lost(mesh));
@@ -170,9 +170,30 @@ function requireNames(format: Format, { variables }: Mesh): void {
   throw new FormatError('empty_name', `${formatNames[format]} cannot hold a variable without a name.`);
 }
 
-function requireFinite(format: Format, variables: Variable[]): void {
-  for (const { name, values } of variables) {
-    const wrong = values.find((value: number) => !Number.isFinite(Math.fround(value)));
+/** By point whether a file of this format holds it: STL has triangles, and no points without. */
+function writtenPoints(format: Format, { position, triangles }: Mesh): Uint8Array {
+  const points = position.length / 3;
+  return format === 'stl' ? cornersOf(triangles, points) : new Uint8Array(points).fill(1);
+}
+
+/** By point 1 where a triangle names it, be that a surface or not. */
+function cornersOf(triangles: Uint32Array, points: number): Uint8Array {
+  const named = new Uint8Array(points);
+  for (const corner of triangles) named[corner] = 1;
+  return named;
+}
+
+function pointLosses(format: Format, mesh: Mesh): string[] {
+  const lost = writtenPoints(format, mesh).filter((written) => written === 0).length;
+  return lost > 0 ? [`${formatNames[format]} has no place for ${counted(lost, 'point')} of no triangle.`] : [];
+}
+
+function requireFinite(format: Format, variables: Variable[], written: Uint8Array): void {
+  for (const { name, components, values } of variables) {
+    const isHeld = (value: number) => Number.isFinite(Math.fround(value));
+    const wrong = values.find(
+      (value: number, i: number) => written[Math.floor(i / components)] === 1 && !isHeld(value),
+    );
     if (wrong === undefined) continue;
     const fault = Number.isFinite(wrong) ? 'which is beyond single precision' : 'which is not finite';
     const message = `${formatNames[format]} cannot hold the value ${wrong} of ${quoted(name)}, ${fault}.`;

@@ -89,8 +89,8 @@ export class App extends LitElement {
       }
       @media (max-width: 800px) {
         :host {
-          /* All of the stage is to be seen, between the toolbar and the result. */
-          --free: max(200px, 100dvh - var(--toolbar-height, 0px) - var(--result-height, 0px));
+          /* All of the stage is to be seen, between the toolbar and the result, for which there is room whatever it says. */
+          --free: max(320px, 100dvh - var(--toolbar-height, 0px) - 140px);
           grid-template: 'toolbar' auto 'stage' min(150vw, 70dvh, var(--free)) 'levels' auto 'bounds' auto 'result' auto / minmax(0, 1fr);
           height: auto;
         }
@@ -130,7 +130,10 @@ export class App extends LitElement {
   /** The place on the original that is pinned. */
   #pinned: readonly number[] | null = null;
   #link = new Link(this.viewer);
-  #heights = new ResizeObserver((entries) => this.#measure(entries));
+  /** How much of the window the toolbar takes, for the style. */
+  #toolbarSize = new ResizeObserver(([{ borderBoxSize }]) => {
+    this.style.setProperty('--toolbar-height', `${borderBoxSize[0].blockSize}px`);
+  });
   #drop = new FileDrop(this, (files) => this.#openFiles(files));
 
   constructor() {
@@ -158,17 +161,8 @@ export class App extends LitElement {
   }
 
   override firstUpdated(): void {
-    for (const part of this.renderRoot.querySelectorAll('meshbound-toolbar, meshbound-result-bar')) {
-      this.#heights.observe(part);
-    }
-  }
-
-  /** How much of the window the bars take, for the style. */
-  #measure(entries: ResizeObserverEntry[]): void {
-    for (const { target, borderBoxSize } of entries) {
-      const name = target.localName === 'meshbound-toolbar' ? '--toolbar-height' : '--result-height';
-      this.style.setProperty(name, `${borderBoxSize[0].blockSize}px`);
-    }
+    const toolbar = this.renderRoot.querySelector('meshbound-toolbar');
+    if (toolbar) this.#toolbarSize.observe(toolbar);
   }
 
   override render() {

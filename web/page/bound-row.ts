@@ -104,7 +104,7 @@ export class BoundRow extends LitElement {
     return html`
       <div class="line">
         <span class="name" title=${name}>${name}</span>
-        <span class="small soft">${this.#constant()}</span>
+        <span class="small soft">${this.#marks()}</span>
         ${this.#field()}${this.#unitChoice()}
       </div>
       <meshbound-bound-slider
@@ -157,12 +157,16 @@ export class BoundRow extends LitElement {
     </select>`;
   }
 
-  #constant() {
-    if (this.variable.kind === 'identifier') {
-      return html`<span title=${pageEnglish.bounds.identifierHint}>${pageEnglish.bounds.identifier}</span>`;
-    }
-    if (!this.variable.constant) return nothing;
-    return html`<span title=${pageEnglish.bounds.constantHint}>${pageEnglish.bounds.constant}</span>`;
+  /** What there is to know of the variable before it is bounded. */
+  #marks() {
+    const { constant, kind, nonFinite } = this.variable;
+    const words = pageEnglish.bounds;
+    const marks: [boolean, string, string][] = [
+      [constant, words.constant, words.constantHint],
+      [kind === 'identifier', words.identifier, words.identifierHint],
+      [nonFinite !== undefined, words.nonFinite, words.nonFiniteHint],
+    ];
+    return marks.filter(([is]) => is).map(([, text, hint]) => html`<span title=${hint}>${text}</span> `);
   }
 
   #reached() {
@@ -172,12 +176,16 @@ export class BoundRow extends LitElement {
     const other = shownWith
       ? html`<span class="other">${pageEnglish.bounds.shownWith(this.#text(shownWith))}</span> `
       : nothing;
+    const { error } = this.reached;
+    if (Number.isNaN(error)) {
+      return html`<span title=${pageEnglish.bounds.unknownHint}>${other}${pageEnglish.bounds.unknownError}</span>`;
+    }
     return html`<span>${other}<button
       class="error"
       title=${pageEnglish.bounds.errorHint}
       @click=${() => this.dispatchEvent(new CustomEvent('worst-wanted'))}
     >
-      ${pageEnglish.bounds.error} ${this.reached.error > 0 ? `≤ ${upperText(this.reached.error)}` : 0}
+      ${pageEnglish.bounds.error} ${error > 0 ? `≤ ${upperText(error)}` : 0}
     </button></span>`;
   }
 

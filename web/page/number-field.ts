@@ -45,7 +45,9 @@ export class NumberField extends LitElement {
         top: calc(100% + 4px);
         right: 0;
         width: max-content;
-        max-width: 260px;
+        /* It ends at the number, and must not begin left of the panel. What lies under it stays in reach. */
+        max-width: 220px;
+        pointer-events: none;
         padding: 4px 8px;
         color: var(--fault);
         background: var(--fault-soft);

@@ -1,4 +1,5 @@
 import type { Mesh } from '../../wasm/types.ts';
+import { isTriangle } from '../surface/used-points.ts';
 import { type Multiplied, vertexShares } from './multiplied.ts';
 import { normalOf } from './place.ts';
 
@@ -32,6 +33,8 @@ function histogram(shares: Float32Array | Float64Array, areas: Float64Array): Er
   const parts = new Float64Array(histogramBins);
   let whole = 0;
   for (let each = 0; each < shares.length; each++) {
+    // What has no area does not count: at a vertex that no triangle uses nothing is known.
+    if (areas[each] === 0) continue;
     // All of the bound belongs to the last part.
     parts[Math.min(histogramBins - 1, Math.floor(histogramBins * shares[each]))] += areas[each];
     whole += areas[each];
@@ -42,7 +45,9 @@ function histogram(shares: Float32Array | Float64Array, areas: Float64Array): Er
 
 /** The smallest values that half and 95 % of the area do not exceed. */
 function quantiles(shares: Float32Array | Float64Array, areas: Float64Array, whole: number): [number, number] {
-  const order = Uint32Array.from(shares.keys()).sort((a, b) => shares[a] - shares[b]);
+  const order = Uint32Array.from(shares.keys())
+    .filter((each) => areas[each] > 0)
+    .sort((a, b) => shares[a] - shares[b]);
   let sum = 0;
   let next = 0;
   const reached = (share: number): number => {
@@ -65,6 +70,7 @@ function vertexAreas(mesh: Mesh): Float64Array {
 function triangleAreas(mesh: Mesh): Float64Array {
   const areas = new Float64Array(mesh.triangles.length / 3);
   for (let triangle = 0; triangle < areas.length; triangle++) {
+    if (!isTriangle(mesh.triangles, 3 * triangle)) continue;
     const [x, y, z] = normalOf(mesh, triangle);
     areas[triangle] = Math.sqrt(x * x + y * y + z * z) / 2;
   }

@@ -18,7 +18,7 @@ export interface ProbedVariable {
   reduced: number[] | null;
   /**
    * The length of their difference; where errors are propagated, and the place is on the reduced surface, what it is at most
-   * in the triangle there. Null where nothing is known of it.
+   * in the triangle there. Null where nothing is known of it, or it is no number.
    */
   error: number | null;
   /** As it is multiplied there; Infinity where it is free or nothing was reduced. */
@@ -110,8 +110,9 @@ function errorOf(
   index: number,
   place: Place | null,
 ): number | null {
-  if (original && reduced) return distance(original, reduced);
-  return place && reduction ? reduction.triangleErrors[index].largest[place.triangle] : null;
+  const between = original && reduced && distance(original, reduced);
+  const error = between ?? (place && reduction ? reduction.triangleErrors[index].largest[place.triangle] : null);
+  return error !== null && Number.isFinite(error) ? error : null;
 }
 
 /** The variable that has the largest share of its bound there; null where none is known. */

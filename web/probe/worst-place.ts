@@ -1,10 +1,19 @@
 import type { MappedReduction, Mesh, Reduction, Variable, VertexErrors } from '../../wasm/types.ts';
+import { isTriangle } from '../surface/used-points.ts';
 import { type Place, variablesOf } from './place.ts';
 
 /** A point of the original and the point of the reduced surface that it is mapped to. */
 export interface PlacePair {
   original: Place;
   reduced: Place;
+}
+
+/** The triangle that the map names for a vertex that none uses. */
+const nowhere = 0xffffffff;
+
+/** Where an error is not known, because the variable is no number there, it is less than any that is. */
+function known(error: number): number {
+  return Number.isFinite(error) ? error : -1;
 }
 
 /** A reduction with a map and measured errors: those were tracked. */
@@ -17,7 +26,7 @@ export function isMapped(reduction: Reduction): reduction is TrackedReduction {
 /** The middle of the reduced triangle where the error of a variable may be largest: all that is known without a map. */
 export function worstOnReduced({ triangleErrors }: Reduction, index: number): Place {
   const { largest } = triangleErrors[index];
-  return { triangle: largestOf(largest.length, (each) => largest[each]), barycentric: [1 / 3, 1 / 3, 1 / 3] };
+  return { triangle: largestOf(largest.length, (each) => known(largest[each])), barycentric: [1 / 3, 1 / 3, 1 / 3] };
 }
 
 /**
@@ -32,10 +41,12 @@ export function worstPlace(
   index: number,
 ): PlacePair {
   const { error } = reduction.vertexErrors[index];
-  const vertex = largestOf(error.length, (each) => error[each]);
+  const { triangle } = reduction.map;
+  const errorAt = (vertex: number) => (triangle[vertex] === nowhere ? Number.NEGATIVE_INFINITY : known(error[vertex]));
+  const vertex = largestOf(error.length, errorAt);
   const crossings = new Crossings(mesh, reduction, index);
   const crossing = largestOf(crossings.count, (each) => crossings.error(each));
-  const atCrossing = crossings.count > 0 && crossings.error(crossing) > error[vertex];
+  const atCrossing = crossings.count > 0 && crossings.error(crossing) > errorAt(vertex);
   return atCrossing ? crossingPlaces(mesh, reduction, crossing) : vertexPlaces(mesh, reduction, vertex);
 }
 
@@ -64,7 +75,7 @@ class Crossings {
       const there = between(this.#reduced, ends[first + 2], ends[first + 3], shares[place + 1], component);
       squares += (here - there) ** 2;
     }
-    return Math.sqrt(squares);
+    return known(Math.sqrt(squares));
   }
 }
 
@@ -94,7 +105,7 @@ function placeOnEdge(triangles: Uint32Array, from: number, to: number, share: nu
   const has = (first: number, vertex: number) =>
     triangles[first] === vertex || triangles[first + 1] === vertex || triangles[first + 2] === vertex;
   for (let first = 0; first < triangles.length; first += 3) {
-    if (!has(first, from) || !has(first, to)) continue;
+    if (!isTriangle(triangles, first) || !has(first, from) || !has(first, to)) continue;
     const corners = triangles.subarray(first, first + 3);
     const [a, b, c] = Array.from(corners, (each) => (each === from ? 1 - share : each === to ? share : 0));
     return { triangle: first / 3, barycentric: [a, b, c] };

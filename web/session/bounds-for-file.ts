@@ -49,6 +49,13 @@ function tooCoarse(format: Format, name: string, bound: number, rounding: number
   return new FormatError('too_coarse', message, name);
 }
 
+/** The smallest of what multiplies the bounds: of the variable `focus`, 1 where nothing does. What is none is for the core to refuse. */
+export function leastMultiplier({ variables, triangles }: Mesh, focus: string | null | undefined): number {
+  const variable = variables.find(({ name }) => name === focus);
+  const least = variable ? spanOf(variable, triangles).components[0].lowest : 1;
+  return least > 0 && Number.isFinite(least) ? least : 1;
+}
+
 /** The report of a reduction with the bounds that were asked for, and with errors that include what the format takes. */
 export function reportOfFile(report: Report, { roundings }: BoundsForFile, leastMultiplier = 1): Report {
   if (roundings.every((rounding) => rounding === 0)) return report;

@@ -35,7 +35,7 @@ export function fromAddress(address: string): Loadable {
   return { name, address, load };
 }
 
-/** What was read already, but for a variable that holds no numbers: that need not stop the rest. */
+/** What was read already, but for one variable. */
 export function withoutVariable({ name, address }: Source, file: OpenedFile, variable: string): Loadable {
   const variables = file.mesh.variables.filter((each) => each.name !== variable);
   const notes = [...file.notes, `The variable “${variable}” was left out.`];

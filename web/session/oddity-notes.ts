@@ -43,17 +43,17 @@ export function oddityNotes({
   return notes;
 }
 
-/** A sentence on a variable that is NaN or infinite somewhere. */
-export function nonFiniteNote(name: string, { vertices, first }: NonFinite): string {
-  const where = vertices === 1 ? `at point ${first}` : `at ${vertices} points, the first of them ${first}`;
-  return `${quoted(name)} holds values that are no numbers (${where}, counted from 0): it has no bound, and is carried along as it is.`;
-}
-
-/** A sentence on points of no surface; none where there are none. */
-export function unusedNotes(count: number): string[] {
+/** A sentence on points of no surface, and what becomes of them; none where there are none. */
+export function unusedNotes(count: number, become = 'left out of the result'): string[] {
   if (count === 0) return [];
   const vertices = count === 1 ? '1 vertex belongs' : `${count} vertices belong`;
-  return [`${vertices} to no triangle: left out of the result.`];
+  return [`${vertices} to no triangle: ${become}.`];
+}
+
+/** What a variable holds that lets it have no bound, to go before a colon. */
+export function nonFiniteWords(name: string, { vertices, first }: NonFinite): string {
+  const points = vertices === 1 ? `1 point, which is ${first}` : `${vertices} points, the first of which is ${first}`;
+  return `${quoted(name)} holds NaN or infinity (at ${points})`;
 }
 
 function triangles(count: number): string {

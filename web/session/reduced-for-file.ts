@@ -3,11 +3,11 @@ import { originIn } from '../formats/file-rounding.ts';
 import type { Origin } from '../formats/local-origin.ts';
 import type { Format } from '../formats/surface.ts';
 import { asBounds } from './bound-setting.ts';
-import { boundsForFile, isKept } from './bounds-for-file.ts';
+import { boundsForFile, isKept, leastMultiplier } from './bounds-for-file.ts';
 import type { OpenSurface } from './open-surface.ts';
 import type { Services } from './services.ts';
 import type { Reduced } from './session-state.ts';
-import { resultOf, type Task, taskOf } from './task.ts';
+import { resultOf, taskOf } from './task.ts';
 
 /** What goes into a file. */
 export interface ForFile {
@@ -27,16 +27,9 @@ export async function reducedForFile(
   reduce: Services['reduce'],
 ): Promise<ForFile> {
   const task = taskOf(surface, method, keeping);
-  const least = leastMultiplier(task);
+  const least = leastMultiplier(task.mesh, task.options.focus);
   if (isKept(format, result.mesh, result.report, least)) return { mesh: result.mesh };
   const part = boundsForFile(format, surface.mesh, asBounds(bounds), least);
   const again = resultOf(task, await reduce(task.mesh, { ...task.options, bounds: part.bounds }));
   return { mesh: again.mesh, origin: originIn(format, surface.mesh) };
-}
-
-/** The smallest of what multiplies the bounds; 1 where nothing does. */
-export function leastMultiplier({ multiplier }: Task): number {
-  let least = multiplier ? Number.POSITIVE_INFINITY : 1;
-  for (const value of multiplier ?? []) least = Math.min(least, value);
-  return least;
 }

@@ -1,6 +1,6 @@
 import type { Inspection, VariableExtent } from '../../wasm/index.ts';
 import { choosableRegionNotes } from '../formats/region-notes.ts';
-import { listed } from '../formats/wording.ts';
+import { listed, quoted } from '../formats/wording.ts';
 import { type BoundSetting, type BoundSettings, defaultBounds, moveAll, settingsFrom } from './bound-setting.ts';
 import type { Bounds } from './bound-text.ts';
 import { codeOf, messageOf } from './failure.ts';
@@ -9,7 +9,7 @@ import { type Keeping, sameKeeping } from './keeping.ts';
 import { Latest, superseded } from './latest.ts';
 import { fromAddress, fromFile, type Loadable, withoutVariable } from './loadable.ts';
 import { type Method, sameMethod } from './method.ts';
-import { nonFiniteNote, oddityNotes } from './oddity-notes.ts';
+import { nonFiniteWords, oddityNotes } from './oddity-notes.ts';
 import type { Source } from './open-surface.ts';
 import type { OpenedFile } from './read.ts';
 import { type Asking, Reducing } from './reducing.ts';
@@ -204,10 +204,9 @@ export class Session extends EventTarget {
     const tell = (step: Omit<Opening, 'name'>) => this.#update({ opening: { name, ...step } });
     const notices = this.#state.notices.filter(({ lasting }) => lasting);
     this.#update({ opening: { name, phase: 'read', progress: 0 }, notices });
-    let file: OpenedFile | undefined;
     try {
       const inspected = await this.#opening.run(async (signal) => {
-        file = await source.load(this.#services, signal, tell);
+        const file = await source.load(this.#services, signal, tell);
         signal.throwIfAborted();
         tell({ phase: 'check', progress: 0 });
         return { file, inspection: await this.#services.inspect(file.mesh, { signal }) };
@@ -246,7 +245,7 @@ export class Session extends EventTarget {
       provisional: null,
     });
     for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
-    for (const variable of variables) this.#tellOfNonFinite(source, file, variable);
+    this.#noteNonFinite(source, file, variables);
     const choosable = choosableRegionNotes(regions, this.#state.keeping.regions);
     for (const text of choosable) this.#notify({ kind: 'note', text, ofRegions: true });
     if (this.#faults.size === 0) void this.#reducing.start();
@@ -261,12 +260,14 @@ export class Session extends EventTarget {
     return settingsFrom(this.#wanted, variables);
   }
 
-  /** A variable that holds no numbers somewhere begins without a bound, since it can have none. Leaving it out is offered. */
-  #tellOfNonFinite(source: Source, file: OpenedFile, { name, nonFinite }: VariableExtent): void {
-    if (!nonFinite) return;
-    const take = () => void this.#open(withoutVariable(source, file, name));
-    const remedy = { label: `Leave out “${name}”`, take };
-    this.#notify({ kind: 'note', text: nonFiniteNote(name, nonFinite), remedy });
+  /** A variable that can have no bound is free, and may be left out. */
+  #noteNonFinite(source: Source, file: OpenedFile, variables: VariableExtent[]): void {
+    for (const { name, nonFinite } of variables) {
+      if (!nonFinite) continue;
+      const text = `${nonFiniteWords(name, nonFinite)}: it can have no bound, and is only carried along.`;
+      const take = () => void this.#open(withoutVariable(source, file, name));
+      this.#notify({ kind: 'note', text, remedy: { label: `Leave out ${quoted(name)}`, take } });
+    }
   }
 
   /** @param of what is changed: in a row, changes of one thing are one step to undo */

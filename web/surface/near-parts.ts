@@ -2,6 +2,7 @@ import type { Vector3 } from 'three';
 import { ExtendedTriangle } from 'three-mesh-bvh';
 import type { Mesh } from '../../wasm/types.ts';
 import { Partition } from './partition.ts';
+import { properTriangles, usedPoints } from './used-points.ts';
 
 type Shape = Pick<Mesh, 'position' | 'triangles'>;
 
@@ -16,8 +17,9 @@ const mostPairs = 32;
  * triangle. Of a part that is folded upon itself it knows nothing. Undefined where so many triangles are near each other that the answer would take too
  * long; else time grows as sorting does.
  */
-export function havePartsWithin(mesh: Shape, within: number): boolean | undefined {
+export function havePartsWithin({ position, triangles }: Shape, within: number): boolean | undefined {
   if (!(within > 0) || !Number.isFinite(within)) return false;
+  const mesh = { position, triangles: properTriangles(triangles) };
   const parts = partsOf(mesh);
   if (!parts) return false;
   const boxes = trianglesBoxes(mesh);
@@ -33,7 +35,7 @@ function partsOf({ position, triangles }: Shape): Uint32Array | undefined {
     joined.join(triangles[at], triangles[at + 2]);
   }
   if (isOne(joined, triangles)) return undefined;
-  joinSamePlaces(joined, position);
+  joinSamePlaces(joined, position, usedPoints(triangles, position.length / 3));
   if (isOne(joined, triangles)) return undefined;
   return Uint32Array.from({ length: triangles.length / 3 }, (_, triangle) => joined.root(triangles[3 * triangle]));
 }
@@ -46,8 +48,8 @@ function isOne(joined: Partition, triangles: Uint32Array): boolean {
 
 const none = 0xffffffff;
 
-/** Joins the points that lie in one place: open addressing by a hash of their coordinates, at most half full. */
-function joinSamePlaces(joined: Partition, position: Mesh['position']): void {
+/** Joins the used points that lie in one place: open addressing by a hash of their coordinates, at most half full. */
+function joinSamePlaces(joined: Partition, position: Mesh['position'], used: Uint8Array): void {
   const points = position.length / 3;
   const slots = 2 ** Math.ceil(Math.log2(2 * points + 2));
   const table = new Uint32Array(slots).fill(none);
@@ -56,6 +58,7 @@ function joinSamePlaces(joined: Partition, position: Mesh['position']): void {
     position[3 * one + 1] === position[3 * other + 1] &&
     position[3 * one + 2] === position[3 * other + 2];
   for (let point = 0; point < points; point++) {
+    if (!used[point]) continue;
     let slot = hashOf(position, 3 * point) & (slots - 1);
     while (table[slot] !== none && !isSame(table[slot], point)) slot = (slot + 1) & (slots - 1);
     if (table[slot] === none) table[slot] = point;

@@ -1,5 +1,6 @@
 import { Triangle, Vector3 } from 'three';
 import type { Mesh } from '../../wasm/types.ts';
+import { isTriangle } from './used-points.ts';
 
 /** How far each triangle of a mesh is from a point, at its nearest place. */
 function distancesOf({ position, triangles }: Mesh, point: Vector3): Float64Array {
@@ -30,6 +31,7 @@ export function multiplierNear(
 ): Float64Array {
   const multiplier = new Float64Array(mesh.position.length / 3).fill(1);
   distancesOf(mesh, new Vector3(...point)).forEach((distance, triangle) => {
+    if (!isTriangle(mesh.triangles, 3 * triangle)) return;
     const here = multiplierAt(distance, radius, factor);
     for (const vertex of mesh.triangles.subarray(3 * triangle, 3 * triangle + 3)) {
       multiplier[vertex] = Math.min(multiplier[vertex], here);

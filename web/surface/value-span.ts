@@ -1,4 +1,4 @@
-import type { Variable } from '../../wasm/types.ts';
+import type { NonFinite, Variable } from '../../wasm/types.ts';
 import { usedPoints } from './used-points.ts';
 
 /** The values of one component; lowest and highest of the finite ones, infinite and empty where there is none. */
@@ -18,6 +18,8 @@ export interface ValueSpan {
   constant: boolean;
   nan: number;
   infinite: number;
+  /** Left out where all values are finite. */
+  nonFinite?: NonFinite;
 }
 
 /** A variable whose extent is below this fraction of its magnitude is constant up to rounding (core: constant_extent). */
@@ -31,12 +33,18 @@ export function spanOf({ name, components, values }: Variable, triangles: Uint32
     highest: Number.NEGATIVE_INFINITY,
   }));
   let [nan, infinite] = [0, 0];
+  let nonFinite: NonFinite | undefined;
+  let lastPoint = -1;
   for (let i = 0; i < values.length; i++) {
-    if (!used[Math.floor(i / components)]) continue;
+    const point = Math.floor(i / components);
+    if (!used[point]) continue;
     const value = values[i];
     if (!Number.isFinite(value)) {
       if (Number.isNaN(value)) nan++;
       else infinite++;
+      if (point !== lastPoint)
+        nonFinite = { vertices: (nonFinite?.vertices ?? 0) + 1, first: nonFinite?.first ?? point };
+      lastPoint = point;
       continue;
     }
     const span = spans[i % components];
@@ -47,7 +55,7 @@ export function spanOf({ name, components, values }: Variable, triangles: Uint32
   const extent = Math.hypot(...seen.map(({ lowest, highest }) => highest - lowest));
   const magnitude = Math.max(0, ...seen.map(({ lowest, highest }) => Math.max(Math.abs(lowest), Math.abs(highest))));
   const constant = name !== 'position' && extent <= constantExtent * magnitude;
-  return { components: spans, extent, magnitude, constant, nan, infinite };
+  return { components: spans, extent, magnitude, constant, nan, infinite, ...(nonFinite ? { nonFinite } : {}) };
 }
 
 /** What a relative bound is a fraction of; any scale serves a variable that is zero everywhere. */

@@ -1,6 +1,9 @@
 import { DoubleSide, GLSL3, RawShaderMaterial, type Texture, type Vector4 } from 'three';
 import { missingPlace } from '../colour/missing-place.ts';
 
+/** Below this there is nothing to show, on the way of a morph between nothing and something either. */
+const leastMissing = 1e-9 * missingPlace;
+
 /** A colour as it is shown on screen, each part 0…1. */
 export type ShownColour = readonly [red: number, green: number, blue: number];
 
@@ -91,7 +94,7 @@ const float darkest = 0.6;
 const float rounding = 1e-5;
 
 vec3 lookUp(float place) {
-  if (place < ${0.5 * missingPlace}) return missingColour;
+  if (place < ${leastMissing}) return missingColour;
   if (markBelow && place < -rounding) return belowColour;
   if (markAbove && place > 1.0 + rounding) return aboveColour;
   // The ends of the map are the centres of the first and the last texel.

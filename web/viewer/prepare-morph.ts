@@ -1,7 +1,6 @@
 import { fromAnyHost } from '../../workers/from-any-host.ts';
-import type { Frame } from './frame.ts';
+import type { Frame, Triangles } from './frame.ts';
 import type { MorphArrays, MorphCorners, MorphEnd } from './morph-corners.ts';
-import type { Triangles } from './surface-arrays.ts';
 
 /** A morph with the two surfaces that it leads between. */
 export interface MorphSource {

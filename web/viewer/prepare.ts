@@ -1,6 +1,6 @@
 import { fromAnyHost } from '../../workers/from-any-host.ts';
-import type { Frame } from './frame.ts';
-import type { SurfaceArrays, Triangles } from './surface-arrays.ts';
+import type { Frame, Triangles } from './frame.ts';
+import type { SurfaceArrays } from './surface-arrays.ts';
 
 export interface PrepareRequest {
   id: number;

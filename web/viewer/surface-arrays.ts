@@ -1,11 +1,6 @@
+import { isTriangle } from '../surface/used-points.ts';
 import { cornerNormals } from './corner-normals.ts';
-import type { Frame } from './frame.ts';
-
-/** The triangles of a surface: x, y, z of each vertex and three vertex indices a triangle. */
-export interface Triangles {
-  position: Float32Array | Float64Array;
-  triangles: Uint32Array;
-}
+import type { Frame, Triangles } from './frame.ts';
 
 /**
  * A surface as it is drawn: every triangle with three corners of its own, so that a corner can carry a value of the
@@ -22,6 +17,8 @@ export interface SurfaceArrays {
 export function surfaceArrays({ position, triangles }: Triangles, { centre, radius }: Frame): SurfaceArrays {
   const corners = new Float32Array(3 * triangles.length);
   for (let corner = 0; corner < triangles.length; corner++) {
+    // What is no surface stays in one place: at its points there may be anything, NaN too.
+    if (!isTriangle(triangles, corner - (corner % 3))) continue;
     const vertex = triangles[corner];
     for (let axis = 0; axis < 3; axis++) {
       corners[3 * corner + axis] = (position[3 * vertex + axis] - centre[axis]) / radius;

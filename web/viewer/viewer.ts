@@ -1,5 +1,5 @@
 import { Raycaster, Vector2, Vector3, type Vector4, WebGLRenderer } from 'three';
-import type { Frame } from './frame.ts';
+import type { Frame, Triangles } from './frame.ts';
 import { LinkedCameras } from './linked-cameras.ts';
 import { type Look, plainLook, planeInFrame } from './look.ts';
 import type { MorphCorners } from './morph-corners.ts';
@@ -7,7 +7,6 @@ import { type Picked, PickTree } from './pick-tree.ts';
 import { SurfacePreparer } from './prepare.ts';
 import { MorphPreparer, type MorphSource } from './prepare-morph.ts';
 import { type Lookup, type OutlineKind, Surface } from './surface.ts';
-import type { Triangles } from './surface-arrays.ts';
 
 /** Finer screens gain nothing that can be seen, and cost four times the fragments. */
 const largestPixelRatio = 2;
