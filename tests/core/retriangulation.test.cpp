@@ -182,8 +182,11 @@ TEST_P(Retriangulated, WithoutAnEdgeThatThereIsAlready) {
         ASSERT_EQ(retriangulator.triangulate(holes.hole(), holes.legality(), cost, found), std::isfinite(least));
         if (!std::isfinite(least)) continue;
         EXPECT_EQ(cost_of(found, cost), least);
-        for (const NewTriangle& t : found.triangles)
-            if (t.parent >= 0) EXPECT_NE(std::pair(t.a, t.b), taken);
+        for (const NewTriangle& t : found.triangles) {
+            if (t.parent >= 0) {
+                EXPECT_NE(std::pair(t.a, t.b), taken);
+            }
+        }
         // Without the other triangle the edge is made now and then.
         Holes alone(plain);
         const std::pair<int, int> here = std::minmax({alone.ring_position(first), alone.ring_position(second)});

@@ -27,17 +27,16 @@ describe.each(plyOrders)('PLY, %s', (order) => {
       'float f': awkwardFloats,
       'double d': awkwardDoubles,
     };
-    const { mesh, notes } = await readSurface('', plyFile(order, [withColumns(columns), faces([0, 1, 2])]));
+    const { mesh, notes, wholeTypes } = await readSurface('', plyFile(order, [withColumns(columns), faces([0, 1, 2])]));
     const expected = Object.entries(columns).map(([property, values]) => {
       const [type, name] = property.split(' ');
       const double = ['big', 'u', 'd'].includes(name) && type !== 'float';
       return `${name} ${bits(double ? Float64Array.from(values) : Float32Array.from(values))}`;
     });
     expect(mesh.variables.map(({ name, values }) => `${name} ${bits(values)}`)).toEqual(expected);
-    expect(notes).toEqual([
-      expect.stringMatching(/^Whole numbers in the file.*“c”.*“u”/),
-      expect.stringMatching(/^Taken for identifiers.*: “big”;/),
-    ]);
+    expect(wholeTypes).toMatchObject({ big: 'int32', u: 'uint32' });
+    expect(wholeTypes).not.toHaveProperty('f');
+    expect(notes).toEqual([expect.stringMatching(/^Taken for identifiers.*: “big”;/)]);
   });
 
   it('reads positions in double, in whole numbers and of mixed types', async () => {

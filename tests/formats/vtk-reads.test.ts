@@ -85,11 +85,23 @@ const written: [name: string, format: Format, mesh: Mesh, options: WriteOptions]
   ['all-variables.glb', 'glb', withinSingles(single), labels],
 ];
 
+/** What whole numbers are called in NumPy is what they are called here. */
+const wholeTypes: Labels['wholeTypes'] = Object.fromEntries(
+  (['int8', 'uint8', 'int16', 'uint16', 'int32', 'uint32', 'int64', 'uint64'] as const).map((type) => [type, type]),
+);
+const whole = smallMesh(
+  Object.keys(wholeTypes).map((name) => ({ name, components: 1, values: Float64Array.of(0, 127, 5, 77) })),
+);
+const wholeFiles: typeof written = [
+  ['whole.vtp', 'vtp', whole, { wholeTypes }],
+  ['whole.vtk', 'vtk', whole, { wholeTypes }],
+];
+
 /** One process for all files, since VTK takes its time to start. */
 async function askVtk(command: string, folder: string): Promise<VtkAnswer> {
   const [files, variants, drawn] = ['files', 'variants', 'drawn'].map((name) => join(folder, name));
   for (const path of [files, variants, drawn]) mkdirSync(path);
-  for (const [name, format, mesh, options] of written) {
+  for (const [name, format, mesh, options] of [...written, ...wholeFiles]) {
     writeFileSync(join(files, name), await writeSurface(format, mesh, options));
   }
   const script = fileURLToPath(new URL('vtk_dump.py', import.meta.url));
@@ -143,6 +155,18 @@ describe.skipIf(mustSkip(missing))(title('VTK reads what the project writes'), (
     expect([points.components, vtkBits(points)]).toEqual([3, bits(mesh.position)]);
     expect(arrays.map(arrayText)).toEqual(mesh.variables.map((variable) => expectedArray(variable, options)));
     expect(points.unit ?? undefined).toBe(options.units?.position);
+  });
+
+  it.each(wholeFiles)('%s: whole numbers in their types', (name, _, mesh) => {
+    const { arrays } = read[name];
+    expect(arrays.map((array) => [array.name, array.type])).toEqual(Object.entries(wholeTypes));
+    for (const [i, { type, bytes }] of arrays.entries()) {
+      const digits = bytes.length / mesh.variables[i].values.length;
+      const numbers = Array.from({ length: 4 }, (_, at) => bytes.slice(at * digits, (at + 1) * digits));
+      expect(digits).toBe(Number(type.replace(/\D/g, '')) / 4);
+      expect(numbers.map((number) => Number.parseInt(number.slice(0, 2), 16))).toEqual([0, 127, 5, 77]);
+      expect(numbers.every((number) => /^..0*$/.test(number))).toBe(true);
+    }
   });
 
   it.each(filesOf('.ply'))('%s: what its reader knows, in its single precision', (name, _, mesh) => {

@@ -34,7 +34,6 @@ describe.each(vtkFiles)('legacy VTK by VTK, %s', (name) => {
     expect(notes).toEqual([
       'Not carried: point data “label”; cell data “region”; field data “TimeValue”; 1 vertex cell; 1 line.',
       expect.stringContaining('Cell Data to Point Data'),
-      'Whole numbers in the file, floating point from here on: “gid”, “flag”, “bits”.',
       '1 polygon with more than three corners split into triangles.',
       '1 triangle strip taken apart into triangles.',
       expect.stringContaining('Taken for identifiers, which “*” does not bound: “gid”, “bits”;'),
@@ -65,7 +64,6 @@ describe('legacy VTK attributes', () => {
     // Colours as VTK holds them.
     expect(variables).toEqual(['a 1 2 3', 'c 0 128 255 0 0 255']);
     expect(summary).toContain('Not carried: colour maps “map”.');
-    expect(summary).toContain('Whole numbers in the file, floating point from here on: “c”.');
   });
 
   it('are left out by name if they belong to cells or are text', async () => {

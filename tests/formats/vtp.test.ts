@@ -30,11 +30,11 @@ describe.each(vtkFiles)('VTP by VTK, %s', (name) => {
   });
 
   it('has its losses and changes named', async () => {
-    const { notes } = await readSurface(name, fixture(name));
+    const { notes, wholeTypes } = await readSurface(name, fixture(name));
+    expect({ ...wholeTypes }).toEqual({ id: 'int64', flag: 'uint8' });
     expect(notes).toEqual([
       'Not carried: cell data “region”; field data “TimeValue”; 1 vertex cell; 1 line.',
       expect.stringContaining('Cell Data to Point Data'),
-      'Whole numbers in the file, floating point from here on: “id”, “flag”.',
       '1 polygon with more than three corners split into triangles.',
       '1 triangle strip taken apart into triangles.',
       expect.stringContaining('Taken for identifiers, which “*” does not bound: “id”;'),

@@ -57,6 +57,7 @@ export function encodeSurface(
     units,
     componentNames,
     regionNames,
+    wholeTypes,
     regionName,
     cellData,
     origin,
@@ -64,7 +65,7 @@ export function encodeSurface(
 ): Promise<{ bytes: Uint8Array; losses: string[] }> {
   const format = outputFormat(path);
   const gzip = /\.gz$/i.test(path);
-  const labels = { units, componentNames, regionNames, regionName, cellData };
+  const labels = { units, componentNames, regionNames, wholeTypes, regionName, cellData };
   return named(path, async () => ({
     bytes: await writeSurface(format, mesh, { ...labels, gzip, origin }),
     losses: await lossesOf(format, mesh, { ...labels, origin }),

@@ -8,8 +8,11 @@ import { asBounds } from '../session/bound-setting.ts';
 import { leastMultiplier, requireKept } from '../session/bounds-for-file.ts';
 import type { OpenSurface } from '../session/open-surface.ts';
 import { pointsText } from '../session/point-list.ts';
+import { reducedForFile } from '../session/reduced-for-file.ts';
 import { reportJson } from '../session/report-json.ts';
+import type { Services } from '../session/services.ts';
 import type { Reduced } from '../session/session-state.ts';
+import { taskOf } from '../session/task.ts';
 import { english } from '../words/english.ts';
 import { savedFileName } from './file-name.ts';
 
@@ -24,32 +27,30 @@ interface Saved {
   losses: string[];
 }
 
-/** A reduction as a file of this kind, or its levels of detail. Rejects where the file cannot hold it. */
+/**
+ * A reduction as a file of this kind, or its levels of detail; reduced anew where the format rounds numbers and the bounds
+ * would not hold then. Rejects where the file cannot hold it.
+ */
 export async function savedFile(
   surface: OpenSurface,
   reduced: Reduced,
   levels: Levels | null,
   kind: SavedKind,
+  reduce: Services['reduce'],
 ): Promise<Saved> {
-  const { mesh } = reduced.result;
   if (kind === 'levels') return levelsFile(surface, reduced, levels);
   if (kind === 'map') return mapFile(surface, reduced);
   if (kind === 'report') {
     return { name: savedFileName(surface.name, 'report', 'json'), content: reportOf(reduced), losses: [] };
   }
   const labels = { ...surface.labels, regionName: reduced.keeping.regions ?? undefined };
-  requireKept(kind, mesh, reduced.result.report, leastOf(surface, reduced));
-  const content = await writeSurface(kind, mesh, labels);
+  const { mesh, origin } = await reducedForFile(kind, surface, reduced, reduce);
+  const content = await writeSurface(kind, mesh, { ...labels, origin });
   return {
     name: savedFileName(surface.name, 'reduced', kind),
     content,
-    losses: await lossesOf(kind, mesh, labels),
+    losses: await lossesOf(kind, mesh, { ...labels, origin }),
   };
-}
-
-/** What multiplies the bounds at the least: by a variable, near a place, or both. */
-function leastOf({ mesh }: OpenSurface, { keeping: { focus, focusPoint } }: Reduced): number {
-  return leastMultiplier(mesh, focus) * Math.min(1, focusPoint?.factor ?? 1);
 }
 
 function reportOf({ result, bounds, method, keeping }: Reduced): string {
@@ -64,7 +65,9 @@ function reportOf({ result, bounds, method, keeping }: Reduced): string {
 async function levelsFile(surface: OpenSurface, reduced: Reduced, levels: Levels | null): Promise<Saved> {
   const { name, labels } = surface;
   if (!levels) throw new Error(english.faults.noLevels);
-  for (const { mesh, report } of levels.levels) requireKept('glb', mesh, report, leastOf(surface, reduced));
+  const { mesh: asked, options } = taskOf(surface, reduced.method, reduced.keeping);
+  const least = leastMultiplier(asked, options.focus);
+  for (const { mesh, report } of levels.levels) requireKept('glb', mesh, report, least);
   const content = await writeLevels(levels, labels);
   const losses = await lossesOf('glb', levels.levels[0].mesh, labels);
   return { name: savedFileName(name, 'levels', 'glb'), content, losses };

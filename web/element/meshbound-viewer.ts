@@ -380,7 +380,7 @@ export class MeshboundViewer extends ViewerProperties {
     try {
       // Loaded when it is first needed, as the formats' writers are.
       const { download, savedFile } = await import('./download.ts');
-      const { name, content, losses } = await savedFile(surface, reduced, this.levels.state.nested, kind);
+      const { name, content, losses } = await savedFile(surface, reduced, this.levels.state.nested, kind, reduce);
       download(name, content);
       this.#tellSaved(name, reduced, losses);
     } catch (error) {

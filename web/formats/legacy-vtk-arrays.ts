@@ -3,7 +3,7 @@ import { decodeName, type LegacyVtkText } from './legacy-vtk-text.ts';
 import { countOf, typeOf } from './legacy-vtk-words.ts';
 import { type Labels, noLabels } from './surface.ts';
 import type { PointArray } from './vtk-pieces.ts';
-import { isFloat } from './vtk-values.ts';
+import { isFloat, wholeTypeOf } from './vtk-values.ts';
 import { grouped, quoted } from './wording.ts';
 
 /** Attributes with a fixed number of components: KEYWORD name type. */
@@ -108,6 +108,7 @@ function readArray(shape: ArrayShape, text: LegacyVtkText, attributes: Attribute
     Object.assign(array, {
       values: text.numbers(numberType, components * tuples, where),
       integers: !isFloat(numberType),
+      wholeType: wholeTypeOf(numberType),
     });
   }
   const isFirst = !attributes.arrays.some((other) => other.name === name);

@@ -25,6 +25,7 @@ import { type CellLabels, type Labels, noLabels, type Surface } from './surface.
 import { cutNotes } from './text-lines.ts';
 import { undecoded } from './utf8-text.ts';
 import { labelsOfTriangles, misfitAmong } from './vtk-pieces.ts';
+import { isWholeType, type WholeType } from './whole-types.ts';
 import { capitalised, counted, grouped, listed, quoted } from './wording.ts';
 
 // Written by hand although three.js has a PLYLoader. That one converts colours between colour spaces, rounding them; has
@@ -93,18 +94,27 @@ function readBody(bytes: Uint8Array, header: PlyHeader, values: PlyValues): Surf
   const triangles = joinTriangles({ ...parts, faces: parts.faces?.polygons }, position, notes);
   const cellLabels = readRegions(parts.faces, parts.strips, header.comments, notes);
   notes.push(...vertexNotes, ...textureNotes(header), ...endNotes(bytes, header, values));
-  const whole = wholeVariables(header);
-  const mesh = { position, triangles, variables: withKinds(variables, triangles, (name) => whole.has(name)) };
-  return { mesh, notes, ...labels(header, variables), ...cellLabels };
+  const wholeTypes = wholeTypesOf(header);
+  const mesh = {
+    position,
+    triangles,
+    variables: withKinds(variables, triangles, (name) => Object.hasOwn(wholeTypes, name)),
+  };
+  return { mesh, notes, ...labels(header, variables), wholeTypes, ...cellLabels };
 }
 
-/** The names of the variables that the file holds in types of whole numbers. */
-function wholeVariables({ elements, comments }: PlyHeader): Set<string> {
+/** The types of the variables that the file holds as whole numbers; of components that differ, one that holds them all. */
+function wholeTypesOf({ elements, comments }: PlyHeader): Record<string, WholeType> {
   const properties = elements.find(({ name }) => name === 'vertex')?.properties ?? [];
   const byName = new Map(properties.filter(({ listLength }) => !listLength).map((each) => [each.name, each]));
   const rest = [...byName.keys()].filter((name) => !coordinates.includes(name));
-  const whole = groupProperties(rest, comments).filter((group) => !typesOf(group, byName).some(isFloatType));
-  return new Set(whole.map(({ name }) => name));
+  const types: Record<string, WholeType> = Object.create(null);
+  for (const group of groupProperties(rest, comments)) {
+    const [first, ...others] = typesOf(group, byName);
+    const ofAll = others.every((type) => type === first) ? first : 'int32';
+    if (![first, ...others].some(isFloatType) && isWholeType(ofAll)) types[group.name] = ofAll;
+  }
+  return types;
 }
 
 function noPoints(): never {
@@ -137,7 +147,7 @@ function readVertices(element: PlyElement, comments: string[], values: PlyValues
     integers ? { ...variable, values: asFloatingPoint(variable.values) } : variable,
   );
   const [{ values: position }, ...variables] = finished;
-  return { position, variables, notes: vertexNotes(element, byName, groups) };
+  return { position, variables, notes: vertexNotes(element) };
 }
 
 /** Room for one variable: single precision if the file has it in single precision, else double until all values are known. */
@@ -165,15 +175,10 @@ function readColumns(element: PlyElement, columns: Map<string, Column>, values: 
   }
 }
 
-function vertexNotes(element: PlyElement, byName: Map<string, PlyProperty>, groups: PlyVariable[]): string[] {
+function vertexNotes(element: PlyElement): string[] {
   const notes: string[] = [];
   const lists = element.properties.filter((property) => property.listLength).map((property) => property.name);
   if (lists.length > 0) notes.push(`Not carried: the vertex lists ${listed(lists)}.`);
-  const integers = groups.filter((group) => !typesOf(group, byName).some(isFloatType));
-  if (integers.length > 0)
-    notes.push(
-      `Whole numbers in the file, floating point from here on: ${listed(integers.map((group) => group.name))}.`,
-    );
   return notes;
 }
 

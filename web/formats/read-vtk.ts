@@ -15,6 +15,7 @@ import {
   misfitAmong,
   namedArrays,
   type PointArray,
+  wholeTypesOf,
 } from './vtk-pieces.ts';
 import { isFloat } from './vtk-values.ts';
 import { counted, grouped, listed, quoted } from './wording.ts';
@@ -57,8 +58,9 @@ export function readVtk(bytes: Uint8Array): Surface {
   const piece = withoutGhosts({ prefix: '', position, arrays, polygons, strips }, ghosts, parts.verts + parts.lines);
   const mesh = meshOfPieces([piece], changes);
   const { regions, unfitRegions } = readRegions(parts, piece.polygons);
+  const wholeTypes = wholeTypesOf([piece], mesh.variables);
   const notes = [...lossNotes(parts, regions), ...regionNotes(regions), ...changes, ...cutNotes(bytes, text, points)];
-  return { mesh, notes, ...labels, regions, unfitRegions };
+  return { mesh, notes, ...labels, wholeTypes, regions, unfitRegions };
 }
 
 /** Cell data of one whole number a cell, as labels of the triangles; of files without strips, whose triangles follow the cells. */

@@ -17,8 +17,10 @@ import {
   namedArrays,
   type Piece,
   type PointArray,
+  wholeTypesOf,
 } from './vtk-pieces.ts';
 import type { VtkValues } from './vtk-values.ts';
+import { isVtkType, wholeTypeOf } from './vtk-values.ts';
 import { weld } from './weld.ts';
 import { sealed } from './welded-surface.ts';
 import { counted, listed, quoted } from './wording.ts';
@@ -47,7 +49,7 @@ export function readVtp(bytes: Uint8Array): Surface {
   const mesh = meshOfPieces(pieces, changes);
   const { regions, unfitRegions } = readRegions(pieceNodes, pieces, packing);
   const notes = [...notCarried(data, pieceNodes, regions), ...regionNotes(regions), ...changes];
-  const labels = labelsOf(pieceNodes, mesh.variables);
+  const labels = { ...labelsOf(pieceNodes, mesh.variables), wholeTypes: wholeTypesOf(pieces, mesh.variables) };
   // Pieces repeat the points where they meet.
   const joinedPieces = pieces.length > 1 ? sealed(weld(mesh), notes) : { mesh, notes };
   return { ...joinedPieces, ...labels, regions, unfitRegions };
@@ -242,7 +244,9 @@ function readPointArray(node: XmlNode, points: number, packing: VtkPacking, pref
   const name = node.attributes.Name ?? '';
   const components = componentsOf(node);
   const values = readDataArray(node, points * components, packing, `array ${prefix}${quoted(name)}`);
-  return { name, components, values, integers: !isFloatArray(node) };
+  const { type } = node.attributes;
+  const wholeType = isVtkType(type) ? wholeTypeOf(type) : undefined;
+  return { name, components, values, integers: !isFloatArray(node), wholeType };
 }
 
 /** The one of its kind; undefined if there is none. Of two, nobody can tell which is meant. */

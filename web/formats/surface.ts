@@ -1,5 +1,6 @@
 import type { Mesh } from '../../wasm/types.ts';
 import type { Origin } from './local-origin.ts';
+import type { WholeType } from './whole-types.ts';
 
 /** The formats that are read and written, by the usual ending of their names. */
 export type Format = 'ply' | 'vtp' | 'vtk' | 'obj' | 'stl' | 'glb';
@@ -10,6 +11,8 @@ export interface Labels {
   units: Record<string, string>;
   /** What the components of a variable are called, one name each. */
   componentNames: Record<string, string[]>;
+  /** The types of the variables that the file holds as whole numbers. */
+  wholeTypes?: Record<string, WholeType>;
   /** What labels of triangles stand for, by the arrays that hold them, where the file has names for that. */
   regionNames?: ReadonlyMap<string, ReadonlyMap<number, string>>;
 }

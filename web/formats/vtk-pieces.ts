@@ -6,6 +6,7 @@ import { type Polygons, polygonNotes, trianglesIn, trianglesOfStrips, triangulat
 import { asFloatingPoint } from './precision.ts';
 import { countCells, type Ghosts, ghostNotes } from './vtk-ghost-counts.ts';
 import type { VtkValues } from './vtk-values.ts';
+import type { WholeType } from './whole-types.ts';
 import { counted, grouped, listed } from './wording.ts';
 
 /** A point-data array before it is known whether all pieces have it. */
@@ -15,6 +16,8 @@ export interface PointArray {
   values: VtkValues;
   /** Whole numbers in the file. */
   integers: boolean;
+  /** Their type, where it is one of writable whole numbers. */
+  wholeType?: WholeType;
   /** The file declares that these are ids. */
   identifier?: boolean;
 }
@@ -53,6 +56,17 @@ export function meshOfPieces(pieces: Piece[], notes: string[]): Mesh {
   return { position, triangles, variables };
 }
 
+/** The types of the variables that all pieces hold as whole numbers, and in one type. */
+export function wholeTypesOf(pieces: Piece[], variables: Variable[]): Record<string, WholeType> {
+  const types: Record<string, WholeType> = Object.create(null);
+  const full = pieces.filter((piece) => piece.position.values.length > 0);
+  for (const { name } of variables) {
+    const [first, ...others] = full.map(({ arrays }) => arrays.find((array) => array.name === name)?.wholeType);
+    if (first && others.every((type) => type === first)) types[name] = first;
+  }
+  return types;
+}
+
 /** The arrays that a variable can be made of; those without a name of their own are said to be left out. */
 export function namedArrays<Named extends { name: string }>(arrays: Named[], noun: string, notes: string[]): Named[] {
   const seen = new Set<string>();
@@ -78,7 +92,6 @@ function joinArrays(pieces: Piece[], notes: string[]): Variable[] {
     return [{ name: array.name, components: array.components, values: joinValues(parts) }];
   });
   if (lost.size > 0) notes.push(`Not carried, since not every piece has them: the arrays ${listed([...lost])}.`);
-  if (integers.length > 0) notes.push(`Whole numbers in the file, floating point from here on: ${listed(integers)}.`);
   const wholeNumbers = new Set(integers);
   const rounded = variables.filter(({ name, values }) => wholeNumbers.has(name) && values.some(isBeyondDoubles));
   if (rounded.length > 0)

@@ -1,3 +1,5 @@
+import { isWholeType, type WholeType } from './whole-types.ts';
+
 /** What a variable's values are read as: single precision as it is, everything else in doubles. */
 export type VtkValues = Float32Array | Float64Array;
 
@@ -36,6 +38,12 @@ export function isVtkType(name: string | undefined): name is VtkType {
 
 export function isFloat(type: VtkType): boolean {
   return type === 'Float32' || type === 'Float64';
+}
+
+/** The type as files of all formats may have it; undefined for floating point and bits. */
+export function wholeTypeOf(type: VtkType): WholeType | undefined {
+  const name = type.toLowerCase();
+  return isWholeType(name) ? name : undefined;
 }
 
 /** How many bytes so many numbers take. */

@@ -1,22 +1,46 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
-import { isByteColour } from './colours.ts';
 import { FormatError } from './format-error.ts';
 import { labelArrays } from './label-arrays.ts';
 import { groupProperties, type PlyVariable, propertyNames } from './ply-variables.ts';
 import type { WriteOptions } from './surface.ts';
+import { wholeTypeIn } from './whole-numbers.ts';
+import type { WholeType } from './whole-types.ts';
 
 type Values = Float32Array | Float64Array;
 
 /** A property of a vertex: a component of a variable. */
 interface Column {
   name: string;
-  type: 'float' | 'double' | 'uchar';
+  type: keyof typeof columnTypes;
   values: Values;
   step: number;
   offset: number;
 }
 
-const columnSizes = { float: 4, double: 8, uchar: 1 };
+type SetNumber = (this: DataView, at: number, value: number, littleEndian: boolean) => void;
+
+/** For each type how many bytes it takes, and how a number of it is set. */
+const columnTypes = {
+  char: { size: 1, set: DataView.prototype.setInt8 as SetNumber },
+  uchar: { size: 1, set: DataView.prototype.setUint8 as SetNumber },
+  short: { size: 2, set: DataView.prototype.setInt16 },
+  ushort: { size: 2, set: DataView.prototype.setUint16 },
+  int: { size: 4, set: DataView.prototype.setInt32 },
+  uint: { size: 4, set: DataView.prototype.setUint32 },
+  float: { size: 4, set: DataView.prototype.setFloat32 },
+  double: { size: 8, set: DataView.prototype.setFloat64 },
+};
+
+/** What whole numbers are called; PLY has none of 64 bits. */
+const wholeNames: Partial<Record<WholeType, Column['type']>> = {
+  int8: 'char',
+  uint8: 'uchar',
+  int16: 'short',
+  uint16: 'ushort',
+  int32: 'int',
+  uint32: 'uint',
+};
+
 /** Labels of the faces: a property of theirs. */
 interface LabelColumn {
   /** Of the array, and of the property. */
@@ -37,7 +61,7 @@ const labelSize = 4;
 export function writePly(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   const encoding = options.encoding ?? 'binary_little_endian';
   const groups = nameProperties(mesh.variables);
-  const columns = vertexColumns(mesh, groups);
+  const columns = vertexColumns(mesh, groups, options);
   const labels = labelColumns(mesh, options);
   const header = headerText(mesh, groups, columns, labels, encoding, options);
   if (encoding === 'ascii') return new TextEncoder().encode(header + asciiBody(mesh, columns, labels));
@@ -64,23 +88,24 @@ function unique(name: string, used: Set<string>): string {
   return free;
 }
 
-function vertexColumns(mesh: Mesh, groups: PlyVariable[]): Column[] {
+function vertexColumns(mesh: Mesh, groups: PlyVariable[], options: WriteOptions): Column[] {
   const position = { name: 'position', components: 3, values: mesh.position };
-  const columns = columnsOf(position, ['x', 'y', 'z']);
-  for (const [index, group] of groups.entries()) columns.push(...columnsOf(mesh.variables[index], group.properties));
+  const columns = columnsOf(position, ['x', 'y', 'z'], typeOf(mesh.position));
+  for (const [index, group] of groups.entries()) {
+    const variable = mesh.variables[index];
+    const whole = wholeTypeIn('ply', variable, options);
+    const type = (whole && wholeNames[whole]) ?? typeOf(variable.values);
+    columns.push(...columnsOf(variable, group.properties, type));
+  }
   return columns;
 }
 
-function columnsOf(variable: Variable, properties: string[]): Column[] {
-  const { values, components } = variable;
-  const type = typeOf(variable);
+function columnsOf({ values, components }: Variable, properties: string[], type: Column['type']): Column[] {
   return properties.map((name, offset) => ({ name, type, values, step: components, offset }));
 }
 
-/** Colours that came from bytes go back to bytes: that is what other programs look for. They read back the same. */
-function typeOf(variable: Variable): Column['type'] {
-  if (isByteColour(variable)) return 'uchar';
-  return variable.values instanceof Float64Array ? 'double' : 'float';
+function typeOf(values: Values): Column['type'] {
+  return values instanceof Float64Array ? 'double' : 'float';
 }
 
 function headerText(
@@ -160,7 +185,7 @@ function binaryFile(
   littleEndian: boolean,
 ): Uint8Array {
   const vertices = mesh.position.length / 3;
-  const vertexSize = columns.reduce((sum, { type }) => sum + columnSizes[type], 0);
+  const vertexSize = columns.reduce((sum, { type }) => sum + columnTypes[type].size, 0);
   const rowSize = faceSize + labelSize * labels.length;
   const file = new Uint8Array(header.length + vertices * vertexSize + (mesh.triangles.length / 3) * rowSize);
   file.set(header);
@@ -168,7 +193,7 @@ function binaryFile(
   let start = header.length;
   for (const column of columns) {
     writeColumn(view, start, vertexSize, column, littleEndian);
-    start += columnSizes[column.type];
+    start += columnTypes[column.type].size;
   }
   writeFaces(view, header.length + vertices * vertexSize, mesh, labels, littleEndian);
   return file;
@@ -176,12 +201,9 @@ function binaryFile(
 
 function writeColumn(view: DataView, start: number, vertexSize: number, column: Column, littleEndian: boolean): void {
   const { type, values, step, offset } = column;
-  let at = start;
-  for (let i = offset; i < values.length; i += step) {
-    if (type === 'double') view.setFloat64(at, values[i], littleEndian);
-    else if (type === 'float') view.setFloat32(at, values[i], littleEndian);
-    else view.setUint8(at, values[i]);
-    at += vertexSize;
+  const { set } = columnTypes[type];
+  for (let i = offset, at = start; i < values.length; i += step, at += vertexSize) {
+    set.call(view, at, values[i], littleEndian);
   }
 }
 

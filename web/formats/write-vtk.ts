@@ -1,8 +1,9 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
-import { isByteColour } from './colours.ts';
 import { labelArrays } from './label-arrays.ts';
 import { encodeName } from './legacy-vtk-text.ts';
 import type { WriteOptions } from './surface.ts';
+import { asWhole, type WholeArray, wholeTypeIn } from './whole-numbers.ts';
+import type { WholeType } from './whole-types.ts';
 
 const cornerCount = 3;
 
@@ -25,9 +26,10 @@ export function writeVtk(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   ];
   for (const variable of mesh.variables) {
     const { name, components, values } = variable;
+    const whole = wholeTypeIn('vtk', variable, options);
     chunks.push(
-      `${encodeName(name)} ${components} ${points} ${isByteColour(variable) ? 'unsigned_char' : typeOf(values)}\n`,
-      isByteColour(variable) ? Uint8Array.from(values) : values,
+      `${encodeName(name)} ${components} ${points} ${whole ? wholeNames[whole] : typeOf(values)}\n`,
+      whole ? asWhole(values, whole) : values,
       `\n${metadata(variable, options)}`,
     );
   }
@@ -43,7 +45,20 @@ function labelChunks(mesh: Mesh, options: WriteOptions): Chunk[] {
   return [`\nCELL_DATA ${triangles}\nFIELD FieldData ${arrays.length}`, ...chunks];
 }
 
-type Chunk = string | Uint8Array | Float32Array | Float64Array | Int32Array;
+type Numbers = Float32Array | Float64Array | WholeArray;
+type Chunk = string | Numbers;
+
+/** What whole numbers are called; `long` has not everywhere the same size, and `char` not everywhere a sign. */
+const wholeNames: Record<WholeType, string> = {
+  int8: 'signed_char',
+  uint8: 'unsigned_char',
+  int16: 'short',
+  uint16: 'unsigned_short',
+  int32: 'int',
+  uint32: 'unsigned_int',
+  int64: 'vtktypeint64',
+  uint64: 'vtktypeuint64',
+};
 
 function typeOf(values: Float32Array | Float64Array): string {
   return values instanceof Float64Array ? 'double' : 'float';
@@ -81,11 +96,10 @@ function joined(chunks: Chunk[]): Uint8Array {
   return file;
 }
 
-function writeBigEndian(view: DataView, values: Float32Array | Float64Array | Int32Array): void {
+function writeBigEndian(view: DataView, values: Exclude<Numbers, Uint8Array>): void {
   const size = values.BYTES_PER_ELEMENT;
-  for (let i = 0; i < values.length; i++) {
-    if (values instanceof Float64Array) view.setFloat64(size * i, values[i]);
-    else if (values instanceof Float32Array) view.setFloat32(size * i, values[i]);
-    else view.setInt32(size * i, values[i]);
-  }
+  new Uint8Array(view.buffer, view.byteOffset, view.byteLength).set(
+    new Uint8Array(values.buffer, values.byteOffset, values.byteLength),
+  );
+  for (let at = 0; at < view.byteLength; at += size) new Uint8Array(view.buffer, view.byteOffset + at, size).reverse();
 }

@@ -1,8 +1,8 @@
-import type { Mesh } from '../../wasm/types.ts';
-import { isByteColour } from './colours.ts';
+import type { Mesh, Variable } from '../../wasm/types.ts';
 import { FormatError } from './format-error.ts';
 import { labelArrays } from './label-arrays.ts';
 import type { WriteOptions } from './surface.ts';
+import { asWhole, type WholeArray, wholeTypeIn } from './whole-numbers.ts';
 import { quoted } from './wording.ts';
 
 // Written by hand, appended raw: vtk.js's writer puts everything through base64 and an XML tree, and takes twenty times as long.
@@ -11,7 +11,7 @@ import { quoted } from './wording.ts';
 interface FileArray {
   name: string;
   components: number;
-  values: Float32Array | Float64Array | Int32Array | Uint8Array;
+  values: Float32Array | Float64Array | WholeArray;
 }
 
 /** The size of the number that stands before each array. */
@@ -24,7 +24,7 @@ export function writeVtp(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   const position = { name: 'position', components: 3, values: mesh.position };
   const labels = labelArrays(mesh, options).map(([name, values]) => ({ name, components: 1, values }));
   const arrays: FileArray[] = [
-    ...mesh.variables.map((each) => (isByteColour(each) ? { ...each, values: Uint8Array.from(each.values) } : each)),
+    ...mesh.variables.map((each) => fileArray(each, options)),
     ...labels,
     position,
     { name: 'connectivity', components: 1, values: corners },
@@ -41,6 +41,28 @@ export function writeVtp(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   for (const [index, array] of arrays.entries()) writeArray(file, head.length + offsets[index], array);
   file.set(tail, file.length - tail.length);
   return file;
+}
+
+function fileArray(variable: Variable, options: WriteOptions): FileArray {
+  const type = wholeTypeIn('vtp', variable, options);
+  return type ? { ...variable, values: asWhole(variable.values, type) } : variable;
+}
+
+const typeNames: [new (length: number) => FileArray['values'], string][] = [
+  [Float32Array, 'Float32'],
+  [Float64Array, 'Float64'],
+  [Int8Array, 'Int8'],
+  [Uint8Array, 'UInt8'],
+  [Int16Array, 'Int16'],
+  [Uint16Array, 'UInt16'],
+  [Int32Array, 'Int32'],
+  [Uint32Array, 'UInt32'],
+  [BigInt64Array, 'Int64'],
+  [BigUint64Array, 'UInt64'],
+];
+
+function typeOf(values: FileArray['values']): string {
+  return typeNames.find(([type]) => values instanceof type)?.[1] ?? '';
 }
 
 /** Where each array begins behind the underscore, and where the last one ends. */
@@ -83,19 +105,11 @@ function tagOf(
   { units = {}, componentNames = {} }: WriteOptions,
 ): string {
   const { components, values } = array;
-  const type =
-    values instanceof Float64Array
-      ? 'Float64'
-      : values instanceof Float32Array
-        ? 'Float32'
-        : values instanceof Uint8Array
-          ? 'UInt8'
-          : 'Int32';
   const names = Object.hasOwn(componentNames, array.name) ? componentNames[array.name] : [];
   const componentAttributes = names
     .map((component, index) => ` ComponentName${index}="${escaped(component)}"`)
     .join('');
-  const attributes = `type="${type}" Name="${escaped(name)}" NumberOfComponents="${components}"${componentAttributes}`;
+  const attributes = `type="${typeOf(values)}" Name="${escaped(name)}" NumberOfComponents="${components}"${componentAttributes}`;
   const unit = Object.hasOwn(units, array.name) && escaped(units[array.name]);
   const key = `          <InformationKey name="UNITS_LABEL" location="vtkDataArray">${unit}</InformationKey>\n`;
   return `        <DataArray ${attributes} format="appended" offset="${offset}"${unit ? `>\n${key}        </DataArray>` : '/>'}\n`;

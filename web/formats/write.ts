@@ -6,6 +6,7 @@ import { gzip } from './gzip.ts';
 import { labelArrays } from './label-arrays.ts';
 import type { Format, Labels, WriteOptions } from './surface.ts';
 import { gather } from './weld.ts';
+import { noLongerWhole } from './whole-numbers.ts';
 import { withinMemory } from './within-memory.ts';
 import { counted, listed, quoted } from './wording.ts';
 
@@ -122,6 +123,9 @@ export async function lossesOf(format: Format, mesh: Mesh, labels: LabelNames = 
   const kept = keptVariables(mesh, lost(mesh));
   sentences.push(...regionLosses(format, mesh, labels, writer));
   if (!holdsLabels) sentences.push(...labelLosses(format, kept, labels));
+  const floated = noLongerWhole(format, kept.slice(1), labels).map(({ name }) => name);
+  if (floated.length > 0)
+    sentences.push(`${formatNames[format]} holds as floating point what were whole numbers: ${listed(floated)}.`);
   const roundings = single ? roundingsOf(format, { ...mesh, variables: kept.slice(1) }, labels.origin) : [];
   const rounded = kept.flatMap(({ name }, i) =>
     roundings[i] > 0 ? [`${quoted(name)} (by up to ${roundings[i].toPrecision(2)})`] : [],

@@ -72,15 +72,26 @@ export function reportOfFile(report: Report, { roundings }: BoundsForFile, least
 }
 
 /**
- * Throws a FormatError where a result as it is breaks a bound once a file of this format rounds it.
+ * Whether a result keeps its bounds once a file of this format has rounded it.
  *
  * @param mesh what is written
  */
+export function isKept(format: Format, mesh: Mesh, report: Report, leastMultiplier = 1): boolean {
+  return broken(format, mesh, report, leastMultiplier) === undefined;
+}
+
+/** Throws a FormatError where it does not. */
 export function requireKept(format: Format, mesh: Mesh, report: Report, leastMultiplier = 1): void {
-  const roundings = roundingsOf(format, mesh);
-  for (const [i, { name, bound, ratio }] of report.variables.entries()) {
-    const lost = format === 'stl' && i > 0;
-    if (lost || !Number.isFinite(bound) || !(roundings[i] > 0)) continue;
-    if (!(ratio * bound + roundings[i] / leastMultiplier <= bound)) throw tooCoarse(format, name, bound, roundings[i]);
-  }
+  const found = broken(format, mesh, report, leastMultiplier);
+  if (found) throw tooCoarse(format, found.name, found.bound, found.rounding);
+}
+
+/** The first variable whose bound the rounding of the format breaks. */
+function broken(format: Format, mesh: Mesh, { variables }: Report, leastMultiplier: number) {
+  const kept = format === 'stl' ? 1 : variables.length;
+  return roundingsOf(format, mesh)
+    .slice(0, kept)
+    .map((rounding, i) => ({ ...variables[i], rounding }))
+    .filter(({ bound, rounding }) => Number.isFinite(bound) && rounding > 0)
+    .find(({ bound, ratio, rounding }) => !(ratio * bound + rounding / leastMultiplier <= bound));
 }
