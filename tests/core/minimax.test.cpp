@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include "errors/tracked/joint_space.hpp"
 #include "meshbound/bounds.hpp"
 #include "meshes/random.hpp"
-#include "errors/tracked/joint_space.hpp"
 
 namespace {
 

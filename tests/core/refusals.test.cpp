@@ -32,8 +32,8 @@ private:
     static void expect_counted_once(const Reduction& reduction) {
         const Report& report = reduction.report;
         const Refusals& refused = report.refused;
-        std::size_t all = refused.non_manifold + refused.locked + refused.ring + refused.topology + refused.fold +
-                          refused.piercing;
+        std::size_t all =
+            refused.non_manifold + refused.locked + refused.ring + refused.topology + refused.fold + refused.piercing;
         for (const VariableReport& variable : report.variables) all += variable.refused;
         EXPECT_EQ(all, report.vertices_after);
     }
@@ -67,8 +67,8 @@ TEST_P(Refused, ARingOfMoreThan48IsToldFromTopology) {
 }
 
 TEST_P(Refused, ATetrahedronIsHeldByItsTopology) {
-    const Mesh mesh = meshes::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+    const Mesh mesh =
+        meshes::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
     EXPECT_EQ(reduce(mesh, everything_free).report.refused.topology, 4U);
 }
 

@@ -134,8 +134,8 @@ Mesh make_mesh(Bytes& bytes) {
         mesh.triangles.push_back({bytes.byte() % vertices, bytes.byte() % vertices, bytes.byte() % vertices});
     std::vector<std::uint32_t> stands_on;
     if (bytes.once_in(3)) stands_on = part_along_seams(bytes, mesh, vertices);
-    mesh.position =
-        {(bytes.byte() % 2 ? make_variable(bytes, "", 3, vertices) : make_terrain(bytes, columns, rows)).values};
+    mesh.position = {
+        (bytes.byte() % 2 ? make_variable(bytes, "", 3, vertices) : make_terrain(bytes, columns, rows)).values};
     stand_on(mesh.position, stands_on);
     const std::size_t all = vertex_count(mesh);
     for (int i = bytes.byte() % 3; i > 0; --i)

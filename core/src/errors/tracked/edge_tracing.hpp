@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "errors/tracked/hole_products.hpp"
+#include "errors/tracked/joint_space.hpp"
 #include "errors/tracked/mapped_content.hpp"
 #include "errors/tracked/tracked_map.hpp"
 #include "errors/tracked/vertex_relocation.hpp"
-#include "metric/bounded_rows.hpp"
-#include "errors/tracked/joint_space.hpp"
-#include "metric/minimax.hpp"
 #include "errors/tracked/worst_error.hpp"
+#include "metric/bounded_rows.hpp"
+#include "metric/minimax.hpp"
 #include "retriangulation/dual_tree.hpp"
 
 namespace meshbound {

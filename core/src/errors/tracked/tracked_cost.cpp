@@ -2,8 +2,8 @@
 
 #include <bit>
 
-#include "geometry/plane.hpp"
 #include "errors/tracked/joint_space.hpp"
+#include "geometry/plane.hpp"
 #include "retriangulation/overlap.hpp"
 #include "util/indexing.hpp"
 

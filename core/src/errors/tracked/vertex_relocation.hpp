@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "errors/tracked/hole_products.hpp"
-#include "errors/tracked/mapped_content.hpp"
-#include "metric/bounded_rows.hpp"
 #include "errors/tracked/joint_space.hpp"
-#include "metric/minimax.hpp"
+#include "errors/tracked/mapped_content.hpp"
 #include "errors/tracked/worst_error.hpp"
+#include "metric/bounded_rows.hpp"
+#include "metric/minimax.hpp"
 #include "retriangulation/dual_tree.hpp"
 
 namespace meshbound {
