@@ -180,3 +180,22 @@ test('more samples are looked at when asked for, and --quiet leaves the status a
   const quiet = await folder.run('verify', 'engine.vtp', 'small.vtp', '-b', '*=0.01%', '--quiet');
   expect(quiet).toMatchObject({ status: 1, stdout: '', stderr: '' });
 });
+
+test.each([
+  ['thrice, facing the same way', 3, false],
+  ['twice, once each way', 2, true],
+])('the rim of a sheet whose every triangle is there %s is found in the result', async (_, times, other) => {
+  const points = Array.from({ length: 81 }, (__, i) => [Math.floor(i / 9), i % 9, Math.sin(i % 9) / 40]);
+  const corners = Array.from({ length: 64 }, (__, i) => Math.floor(i / 8) * 9 + (i % 8));
+  const once = corners.flatMap((i) => [i, i + 9, i + 10, i, i + 10, i + 1]);
+  const back = other ? once.map((___, i) => once[i - (i % 3) + 2 - (i % 3)] as number) : once;
+  const triangles = Uint32Array.from([once, ...Array.from({ length: times - 1 }, () => back)].flat());
+  await folder.save('sheet.ply', { position: Float64Array.from(points.flat()), triangles, variables: [] });
+  const bound = ['-b', 'position=1%'];
+  expect(await folder.run('reduce', 'sheet.ply', '-o', 'sheet-out.ply', ...bound)).toMatchObject({ status: 0 });
+  const { status, stdout } = await folder.run('verify', 'sheet.ply', 'sheet-out.ply', ...bound);
+  expect(stdout).toContain('The bounds hold at every sample.');
+  expect(stdout).not.toContain('nothing near');
+  expect(stdout).not.toMatch(/boundary, original to reduced +0 /);
+  expect(status).toBe(0);
+});

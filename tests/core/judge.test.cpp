@@ -144,6 +144,21 @@ TEST(Judge, ComparesBoundariesAsCurves) {
     EXPECT_EQ(judge::judge_boundary(whole, meshes::cube(3), {0.1}).ratio(), infinity);
 }
 
+TEST(Judge, CountsTrianglesOnTheSameThreeVerticesOnceWhereTheBoundaryIs) {
+    const Mesh one = meshes::plane(8, 8), coarse = meshes::plane(1, 1);
+    Mesh thrice = one, both_sides = one, coarse_sides = coarse;
+    for (int n = 0; n < 2; ++n)
+        for (const glm::uvec3& t : one.triangles) thrice.triangles.push_back({t.y, t.z, t.x});
+    for (const glm::uvec3& t : one.triangles) both_sides.triangles.push_back({t.x, t.z, t.y});
+    for (const glm::uvec3& t : coarse.triangles) coarse_sides.triangles.push_back({t.x, t.z, t.y});
+    EXPECT_LT(judge::judge_boundary(thrice, coarse, {1e-3}).ratio(), 1e-6);
+    EXPECT_LT(judge::judge_boundary(both_sides, coarse_sides, {1e-3}).ratio(), 1e-6);
+    // The rim of a doubled sheet is one: a corner that is cut off leaves it.
+    Mesh cut = coarse_sides;
+    cut.triangles = {coarse_sides.triangles[0], coarse_sides.triangles[2]};
+    EXPECT_NEAR(judge::judge_boundary(both_sides, cut, {0.1}).from_original.ratio, 5, 0.5) << "half the side of 1";
+}
+
 std::vector<double> multipliers_of(const Mesh& mesh, const std::function<double(glm::dvec3)>& multiplier) {
     std::vector<double> multipliers;
     for (std::uint32_t v = 0; v < vertex_count(mesh); ++v) multipliers.push_back(multiplier(meshes::point(mesh, v)));

@@ -1,5 +1,6 @@
 #include "fuzz/inputs.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <string>
@@ -49,6 +50,20 @@ void add_grid(Bytes& bytes, Mesh& mesh, std::uint32_t columns, std::uint32_t row
         }
     for (int changes = bytes.byte() % 8; changes > 0 && !mesh.triangles.empty(); --changes)
         mesh.triangles[bytes.byte() % mesh.triangles.size()][bytes.byte() % 3] = bytes.byte() % (columns * rows + 1);
+}
+
+/// Lays triangles on others: copies, whichever corner they begin at, and other sides.
+void add_coincident(Bytes& bytes, Mesh& mesh) {
+    if (mesh.triangles.empty()) return;
+    const std::size_t first = bytes.byte() % mesh.triangles.size(), count = bytes.byte();
+    const std::size_t last = std::min(first + count, mesh.triangles.size());
+    const std::uint8_t kinds = bytes.byte(); // all of one kind, or by the triangle
+    for (std::size_t n = first; n < last; ++n) {
+        const glm::uvec3 t = mesh.triangles[n];
+        const std::uint8_t kind = kinds % 4 < 3 ? kinds % 4 : bytes.byte() % 3;
+        if (kind != 1) mesh.triangles.push_back({t.x, t.z, t.y});
+        if (kind != 0) mesh.triangles.push_back({t.y, t.z, t.x});
+    }
 }
 
 /// Gives some of the triangles vertices of their own in the places of the others'. By new vertex the one it stands on.
@@ -132,6 +147,7 @@ Mesh make_mesh(Bytes& bytes) {
     if (bytes.byte() % 4) add_grid(bytes, mesh, columns, rows);
     for (int extra = bytes.byte() % 16; extra > 0; --extra)
         mesh.triangles.push_back({bytes.byte() % vertices, bytes.byte() % vertices, bytes.byte() % vertices});
+    if (bytes.once_in(3)) add_coincident(bytes, mesh);
     std::vector<std::uint32_t> stands_on;
     if (bytes.once_in(3)) stands_on = part_along_seams(bytes, mesh, vertices);
     mesh.position = {

@@ -27,7 +27,8 @@ private:
     std::size_t left_;
 };
 
-/// Pieces of a grid whose corners lie where they belong or anywhere, with seams, labels and a variable "focus", or without.
+/// Pieces of a grid whose corners lie where they belong or anywhere, with triangles on one another, seams, labels and a
+/// variable "focus", or without.
 meshbound::Mesh make_mesh(Bytes& bytes);
 meshbound::Bounds make_bounds(Bytes& bytes);
 meshbound::Options make_options(Bytes& bytes, const meshbound::Mesh& mesh);

@@ -1,8 +1,10 @@
 #include "judge/joint_surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -10,6 +12,12 @@ namespace judge {
 namespace {
 
 bool has_vertex_twice(const glm::uvec3& t) { return t.x == t.y || t.y == t.z || t.z == t.x; }
+
+std::array<std::uint32_t, 3> sorted_corners(const glm::uvec3& t) {
+    std::array<std::uint32_t, 3> corners = {t.x, t.y, t.z};
+    std::sort(corners.begin(), corners.end());
+    return corners;
+}
 
 std::vector<double> joint_rows(const meshbound::Mesh& mesh, const JointSpace& space) {
     const std::size_t vertices = meshbound::vertex_count(mesh);
@@ -61,8 +69,9 @@ JointSurface joint_surface(const meshbound::Mesh& mesh, const JointSpace& space)
 
 JointSurface joint_boundary(const meshbound::Mesh& mesh, const JointSpace& space) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+    std::set<std::array<std::uint32_t, 3>> met;
     for (const glm::uvec3& t : mesh.triangles) {
-        if (has_vertex_twice(t)) continue;
+        if (has_vertex_twice(t) || !met.insert(sorted_corners(t)).second) continue;
         for (int i = 0; i < 3; ++i) ++uses[std::minmax({t[i], t[(i + 1) % 3]})];
     }
     JointSurface curve{space.dimensions(), joint_rows(mesh, space), {}};

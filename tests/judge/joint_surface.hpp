@@ -38,7 +38,8 @@ JointSpace joint_space(const meshbound::Mesh& mesh, const std::vector<double>& b
 /// std::invalid_argument where the mesh has not the variables of the space.
 JointSurface joint_surface(const meshbound::Mesh& mesh, const JointSpace& space);
 
-/// The boundary of a mesh, the edges of exactly one triangle, as a curve in that space.
+/// The boundary of a mesh, the edges of exactly one triangle, as a curve in that space. Triangles on the same three vertices
+/// (copies, the two sides of a sheet) cover each other, so that they count as one: the rim of either is a rim.
 JointSurface joint_boundary(const meshbound::Mesh& mesh, const JointSpace& space);
 
 } // namespace judge
