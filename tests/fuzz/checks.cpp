@@ -12,6 +12,7 @@
 #include "core/map_certificate.hpp"
 #include "fuzz/kept_checks.hpp"
 #include "judge/judge.hpp"
+#include "meshes/sheet.hpp"
 #include "meshes/topology.hpp"
 #include "self_intersection/self_intersections.hpp"
 
@@ -147,15 +148,18 @@ void check_reduction(const Mesh& mesh, const Options& options, const Reduction& 
     for (const VariableReport& variable : reduction.report.variables) require(variable.ratio <= 1, "bounds are kept");
     check_subset(mesh, reduction);
     require(validate(reduction.mesh).ok(), "the result is valid");
-    const Mesh rest = without_dropped(mesh, options, reduction);
-    check_topology(meshes::topology(rest), meshes::topology(reduction.mesh));
-    check_locks(mesh, options, reduction);
+    // Triangles on one another are one of a sheet: that is what its topology, its map and what pierces it are about.
+    const Mesh rest = meshes::without_copies(without_dropped(mesh, options, reduction));
+    const Mesh sheet = meshes::one_sided(rest);
+    const Reduction reduced_sheet = meshes::one_sided(reduction);
+    check_topology(meshes::topology(sheet), meshes::topology(reduced_sheet.mesh));
+    check_locks(meshes::without_copies(mesh), options, reduction);
     check_labels(rest, reduction);
-    check_seams(rest, reduction);
+    check_seams(sheet, reduction);
     check_feature_size(options, reduction.report);
-    if (options.errors == Errors::tracked) check_map(rest, options, reduction);
+    if (options.errors == Errors::tracked) check_map(sheet, options, reduced_sheet);
     else if (!rest.triangles.empty()) check_judgement(rest, options, reduction);
-    if (options.refuse_piercing && is_decided_exactly(mesh)) check_piercing(mesh, reduction);
+    if (options.refuse_piercing && is_decided_exactly(mesh)) check_piercing(sheet, reduced_sheet);
 }
 
 void check_levels(const Mesh& mesh, const Options& options, const Levels& levels) {
