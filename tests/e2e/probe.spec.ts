@@ -220,7 +220,9 @@ test('of levels of detail the one that is shown is probed, and none between two'
   await expect(page().locator('#reduced .caption')).toContainText('Level 3');
   await expect(card()).toContainText('Pinned');
   await expect(page().locator('.marker:not(.hidden)')).toHaveCount(2);
-  expect((await told()).probe?.variables[0].ratio).toBeCloseTo(level?.[0].ratio ?? Number.NaN, 5);
+  await expect
+    .poll(async () => (await told()).probe?.variables[0].ratio)
+    .toBeCloseTo(level?.[0].ratio ?? Number.NaN, 5);
   await page().getByLabel('Levels of detail').selectOption('0');
 });
 

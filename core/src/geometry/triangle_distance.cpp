@@ -29,7 +29,7 @@ std::array<double, 2> nearest_shares(const glm::dvec3& p, const glm::dvec3& alon
     const double c = glm::dot(along_p, from_q), f = glm::dot(along_q, from_q), determinant = a * e - b * b;
     double s = determinant > 0 ? clamped_share((b * f - c * e) / determinant) : 0;
     double t = e > 0 ? (b * s + f) / e : 0;
-    if (t < 0 || t > 1) {
+    if (!(e > 0) || t < 0 || t > 1) { // from a point, too, the nearest one is looked for
         t = clamped_share(t);
         s = a > 0 ? clamped_share((b * t - c) / a) : 0;
     }

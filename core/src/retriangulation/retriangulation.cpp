@@ -40,7 +40,9 @@ void Retriangulator::fill(const Hole& hole, const Legality& legality, HoleCost& 
         if (!legality.allows_triangle(triangle)) continue;
         const double shaped = sub_costs + shape_weight * shape_penalty(triangle);
         if (!(shaped < best)) continue; // costs are never negative
-        const double total = shaped + cost.triangle(a, m, b, best - shaped);
+        const double limit = best - shaped, own = cost.triangle(a, m, b, limit);
+        if (!(own < limit)) continue; // but a lower bound, which rounding could bring below the best when it is added
+        const double total = shaped + own;
         if (!(total < best)) continue;
         if (!legality.allows_neighbours(triangle, normal_across(size, a, m), normal_across(size, m, b))) continue;
         best = total;
