@@ -73,27 +73,27 @@ val reduce_mesh(const val& mesh, const val& options, const val& on_progress) {
         const Bounds bounds = bounds_from(options["bounds"]);
         const Options settings = options_from(options);
 
-        const bool wanted = wants_waypoint(options);
+        const bool wanted = wants_checkpoint(options);
         Reduction reduction;
-        Waypoint waypoint;
+        Checkpoint checkpoint;
         const auto start = std::chrono::steady_clock::now();
         const Status status =
-            reduce(input, bounds, settings, reduction, progress_from(on_progress), wanted ? &waypoint : nullptr);
+            reduce(input, bounds, settings, reduction, progress_from(on_progress), wanted ? &checkpoint : nullptr);
         const double seconds = seconds_since(start);
         if (!status.ok()) return failure(status);
-        return success(reduction_to(reduction, seconds, wanted ? &waypoint : nullptr));
+        return success(reduction_to(reduction, seconds, wanted ? &checkpoint : nullptr));
     });
 }
 
-val reduce_waypoint_onward(const val& waypoint, const val& options, const val& on_progress) {
+val resume_reduction(const val& checkpoint, const val& options, const val& on_progress) {
     return guarded([&] {
-        const Waypoint from = waypoint_from(waypoint);
+        const Checkpoint from = checkpoint_from(checkpoint);
         const Bounds bounds = bounds_from(options["bounds"]);
         const Options settings = options_from(options);
 
         Reduction reduction;
         const auto start = std::chrono::steady_clock::now();
-        const Status status = reduce_onward(from, bounds, settings, reduction, progress_from(on_progress));
+        const Status status = resume_reduction(from, bounds, settings, reduction, progress_from(on_progress));
         const double seconds = seconds_since(start);
         return status.ok() ? success(reduction_to(reduction, seconds)) : failure(status);
     });
@@ -126,16 +126,16 @@ val segment_mesh(const val& mesh, const val& reduction, const val& on_progress) 
 val inspect_mesh(const val& mesh) {
     return guarded([&] {
         const Mesh input = mesh_from(mesh);
-        Oddities oddities;
-        if (const Status status = validate(input, &oddities); !status.ok()) {
+        MeshDefects defects;
+        if (const Status status = validate(input, &defects); !status.ok()) {
             return failure(status);
         }
         std::vector<ResolvedBound> bounds;
-        if (const Status status = resolve_bounds(input, {{"*", free_of_bound()}}, bounds); !status.ok()) {
+        if (const Status status = resolve_bounds(input, {{"*", unbounded()}}, bounds); !status.ok()) {
             return failure(status);
         }
-        find_turned(input, oddities);
-        return success(inspection_to(input, oddities, bounds));
+        find_flipped_triangles(input, defects);
+        return success(inspection_to(input, defects, bounds));
     });
 }
 
@@ -146,7 +146,7 @@ double memory_size() { return static_cast<double>(emscripten_get_heap_size()); }
 
 EMSCRIPTEN_BINDINGS(meshbound) {
     emscripten::function("reduce", &reduce_mesh);
-    emscripten::function("reduceOnward", &reduce_waypoint_onward);
+    emscripten::function("resumeReduction", &resume_reduction);
     emscripten::function("reduceLevels", &reduce_mesh_to_levels);
     emscripten::function("segment", &segment_mesh);
     emscripten::function("inspect", &inspect_mesh);

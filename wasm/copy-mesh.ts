@@ -45,7 +45,7 @@ const mapArrays = {
   triangle: Uint32Array,
   barycentric: Float64Array,
   crossingEdges: Uint32Array,
-  crossingPlaces: Float64Array,
+  crossingShares: Float64Array,
   crossingRightward: Uint8Array,
 } as const;
 
@@ -76,7 +76,7 @@ export function copyMap(map: SurfaceMap): SurfaceMap {
     triangle: map.triangle.slice(),
     barycentric: map.barycentric.slice(),
     crossingEdges: map.crossingEdges.slice(),
-    crossingPlaces: map.crossingPlaces.slice(),
+    crossingShares: map.crossingShares.slice(),
     crossingRightward: map.crossingRightward.slice(),
   };
 }

@@ -5,11 +5,11 @@ import type {
   Levels,
   LevelsOptions,
   Mesh,
-  OnwardOptions,
+  ResumeOptions,
   ReduceOptions,
   Reduction,
   Segmentation,
-  Waypoint,
+  Checkpoint,
 } from './types.ts';
 
 /** How an engine starts its worker, and what that loads. Addresses are relative to the document, in Node to the folder it runs in. */
@@ -51,17 +51,17 @@ export class Engine {
     return this.queue.run({ kind: 'reduce', input }, { signal, onProgress });
   }
 
-  /** As the function `reduceOnward`. */
-  async reduceOnward(waypoint: Waypoint, options: OnwardOptions): Promise<Reduction> {
+  /** As the function `resumeReduction`. */
+  async resumeReduction(checkpoint: Checkpoint, options: ResumeOptions): Promise<Reduction> {
     const { signal, onProgress, locked, ...rest } = options;
-    const { mesh, vertices, report } = waypoint;
+    const { mesh, vertices, report } = checkpoint;
     checkMesh(mesh);
     checkVertices(vertices);
     const input = {
-      waypoint: { mesh: copyMesh(mesh), vertices: vertices.slice(), report },
+      checkpoint: { mesh: copyMesh(mesh), vertices: vertices.slice(), report },
       options: { ...rest, locked: locked?.slice() },
     };
-    return this.queue.run({ kind: 'reduceOnward', input }, { signal, onProgress });
+    return this.queue.run({ kind: 'resumeReduction', input }, { signal, onProgress });
   }
 
   /** As the function `reduceLevels`. */

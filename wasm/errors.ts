@@ -20,7 +20,7 @@ export type ErrorCode =
   | 'bound_too_fine'
   | 'bad_option'
   | 'bad_levels'
-  | 'bad_waypoint'
+  | 'bad_checkpoint'
   | 'bad_map'
   | 'too_large'
   | 'out_of_memory'
@@ -39,7 +39,7 @@ export interface Failure {
   index?: number;
 }
 
-/** What calls reject with when a mesh, a bound, an option, a waypoint or a map is at fault. */
+/** What calls reject with when a mesh, a bound, an option, a checkpoint or a map is at fault. */
 export class MeshboundError extends Error implements Failure {
   readonly code: ErrorCode;
   readonly variable?: string;

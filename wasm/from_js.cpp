@@ -40,7 +40,7 @@ VariableKind kind_from(const val& kind) {
 
 Bound bound_from(const std::string& name, const val& bound) {
     if (bound.isString() && bound.as<std::string>() == "free") {
-        return free_of_bound();
+        return unbounded();
     }
     if (!bound.isString() && !bound.isNull() && !bound.isUndefined()) {
         if (bound["relative"].isNumber()) {
@@ -72,22 +72,22 @@ void read_flag(const val& options, const char* option, bool& flag) {
     flag = given.isTrue();
 }
 
-Errors errors_from(const std::string& name) {
+ErrorAccounting errors_from(const std::string& name) {
     if (name == "propagated") {
-        return Errors::propagated;
+        return ErrorAccounting::propagated;
     }
     if (name == "tracked") {
-        return Errors::tracked;
+        return ErrorAccounting::tracked;
     }
     refuse_option("errors", name);
 }
 
-Cost cost_from(const std::string& name) {
+RetriangulationCost cost_from(const std::string& name) {
     if (name == "maximum") {
-        return Cost::maximum;
+        return RetriangulationCost::maximum;
     }
     if (name == "introduced") {
-        return Cost::introduced;
+        return RetriangulationCost::introduced;
     }
     refuse_option("cost", name);
 }
@@ -123,15 +123,15 @@ SurfaceMap map_from(const val& map) {
     const auto triangle = vector_from<std::uint32_t>(map["triangle"]);
     const auto barycentric = vector_from<double>(map["barycentric"]);
     const auto edges = vector_from<std::uint32_t>(map["crossingEdges"]);
-    const auto places = vector_from<double>(map["crossingPlaces"]);
+    const auto places = vector_from<double>(map["crossingShares"]);
     const auto rightward = vector_from<std::uint8_t>(map["crossingRightward"]);
     check_length("barycentric", barycentric.size(), 3, triangle.size(), "vertices");
     check_length("crossingEdges", edges.size(), 4, rightward.size(), "crossings");
-    check_length("crossingPlaces", places.size(), 2, rightward.size(), "crossings");
+    check_length("crossingShares", places.size(), 2, rightward.size(), "crossings");
     SurfaceMap result;
     for (std::size_t i = 0; i < triangle.size(); ++i) {
         const double* shares = &barycentric[3 * i];
-        result.places.push_back({triangle[i], {shares[0], shares[1], shares[2]}});
+        result.images.push_back({triangle[i], {shares[0], shares[1], shares[2]}});
     }
     for (std::size_t i = 0; i < rightward.size(); ++i) {
         const std::uint32_t* ends = &edges[4 * i];
@@ -163,12 +163,13 @@ std::vector<T> list_from(const val& list, Convert convert) {
     return result;
 }
 
-/// A part of a waypoint, refused where it is not there.
+/// A part of a checkpoint, refused where it is not there.
 val present(const val& part, const char* name) {
     if (!part.isUndefined() && !part.isNull()) {
         return part;
     }
-    throw ShapeError{{Fault::bad_waypoint, "The waypoint has no “" + std::string(name) + "” where it should.", {}, {}}};
+    throw ShapeError{
+        {Fault::bad_checkpoint, "The checkpoint has no “" + std::string(name) + "” where it should.", {}, {}}};
 }
 
 val part_of(const val& whole, const char* name) { return present(whole[name], name); }
@@ -211,29 +212,29 @@ RegionReport region_report_from(const val& region) {
     return result;
 }
 
-Oddities oddities_from(const val& oddities) {
-    Oddities result;
-    result.repeated_vertex_triangles = count_from(oddities["repeatedVertexTriangles"]);
-    result.zero_area_triangles = count_from(oddities["zeroAreaTriangles"]);
-    result.unused_vertices = count_from(oddities["unusedVertices"]);
-    result.turned_triangles = count_from(oddities["turnedTriangles"]);
-    result.unorientable_parts = count_from(oddities["unorientableParts"]);
-    result.copied_triangles = count_from(oddities["copiedTriangles"]);
-    result.two_sided_triangles = count_from(oddities["twoSidedTriangles"]);
-    if (const val triangle = oddities["unorientableTriangle"]; triangle.isNumber()) {
+MeshDefects oddities_from(const val& defects) {
+    MeshDefects result;
+    result.repeated_vertex_triangles = count_from(defects["repeatedVertexTriangles"]);
+    result.zero_area_triangles = count_from(defects["zeroAreaTriangles"]);
+    result.unused_vertices = count_from(defects["unusedVertices"]);
+    result.flipped_triangles = count_from(defects["flippedTriangles"]);
+    result.unorientable_components = count_from(defects["unorientableComponents"]);
+    result.copied_triangles = count_from(defects["copiedTriangles"]);
+    result.two_sided_triangles = count_from(defects["twoSidedTriangles"]);
+    if (const val triangle = defects["unorientableTriangle"]; triangle.isNumber()) {
         result.unorientable_triangle = count_from(triangle);
     }
     return result;
 }
 
-/// What a waypoint's report says of the original, and what was spent; the core reads nothing else of it.
+/// What a checkpoint's report says of the original, and what was spent; the core reads nothing else of it.
 Report report_from(const val& report) {
     Report result;
     result.triangles_before = count_from(part_of(report, "triangles")["before"]);
     result.vertices_before = count_from(part_of(report, "vertices")["before"]);
     result.candidates = count_from(report["candidates"]);
     result.variables = list_in<VariableReport>(report, "variables", variable_report_from);
-    result.oddities = oddities_from(part_of(report, "oddities"));
+    result.defects = oddities_from(part_of(report, "defects"));
     const val dropped = part_of(report, "dropped");
     result.dropped = {count_from(dropped["parts"]), count_from(dropped["triangles"])};
     result.regions = list_in<RegionReport>(report, "regions", region_report_from);
@@ -295,9 +296,9 @@ Options options_from(const val& options) {
     read_flag(options, "countFolds", result.count_folds);
     read_flag(options, "refusePiercing", result.refuse_piercing);
     read_flag(options, "limitToFeatureSize", result.limit_to_feature_size);
-    read_flag(options, "dropSmallParts", result.drop_small_parts);
-    read_flag(options, "choosePlaces", result.choose_places);
-    read_flag(options, "chooseCrossings", result.choose_crossings);
+    read_flag(options, "dropSmallComponents", result.drop_small_components);
+    read_flag(options, "optimizeVertexImages", result.optimize_vertex_images);
+    read_flag(options, "optimizeEdgeCrossings", result.optimize_edge_crossings);
     if (const val locked = options["locked"]; !locked.isUndefined()) {
         result.locked = vector_from<std::uint32_t>(locked);
     }
@@ -307,8 +308,8 @@ Options options_from(const val& options) {
     if (const val boxes = options["lockedBoxes"]; !boxes.isUndefined()) {
         result.locked_boxes = boxes_from(boxes);
     }
-    if (const val focus = options["focus"]; !focus.isUndefined()) {
-        result.focus = focus.as<std::string>();
+    if (const val focus = options["boundMultiplier"]; !focus.isUndefined()) {
+        result.bound_multiplier = focus.as<std::string>();
     }
     return result;
 }
@@ -322,15 +323,15 @@ LevelOptions level_options_from(const val& options) {
     return result;
 }
 
-bool wants_waypoint(const val& options) {
+bool wants_checkpoint(const val& options) {
     bool wanted = false;
-    read_flag(options, "waypoint", wanted);
+    read_flag(options, "checkpoint", wanted);
     return wanted;
 }
 
-Waypoint waypoint_from(const val& waypoint) {
-    return {mesh_from(waypoint["mesh"]), vector_from<std::uint32_t>(waypoint["vertices"]),
-            report_from(part_of(waypoint, "report"))};
+Checkpoint checkpoint_from(const val& checkpoint) {
+    return {mesh_from(checkpoint["mesh"]), vector_from<std::uint32_t>(checkpoint["vertices"]),
+            report_from(part_of(checkpoint, "report"))};
 }
 
 Reduction mapped_reduction_from(const val& reduction) {

@@ -29,11 +29,11 @@ LevelOptions level_options_from(const emscripten::val& options);
 /// The rest of `ReduceOptions`; what is left out keeps the core's default. Throws ShapeError.
 Options options_from(const emscripten::val& options);
 
-/// Whether `ReduceOptions` ask for the waypoint. Throws ShapeError.
-bool wants_waypoint(const emscripten::val& options);
+/// Whether `ReduceOptions` ask for the checkpoint. Throws ShapeError.
+bool wants_checkpoint(const emscripten::val& options);
 
-/// A `Waypoint` of wasm/types.ts. Throws ShapeError.
-Waypoint waypoint_from(const emscripten::val& waypoint);
+/// A `Checkpoint` of wasm/types.ts. Throws ShapeError.
+Checkpoint checkpoint_from(const emscripten::val& checkpoint);
 
 /// Of a `Reduction` its mesh, vertices and map: what says where the mesh that was reduced went. Throws ShapeError.
 Reduction mapped_reduction_from(const emscripten::val& reduction);

@@ -4,11 +4,11 @@ import type {
   Levels,
   LevelsOptions,
   Mesh,
-  OnwardOptions,
+  ResumeOptions,
   ReduceOptions,
   Reduction,
   Segmentation,
-  Waypoint,
+  Checkpoint,
 } from './types.ts';
 
 export { Engine, type EngineSettings } from './engine.ts';
@@ -50,16 +50,16 @@ export function reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduction> {
 }
 
 /**
- * Reduces onward from a waypoint, in a fraction of the time that a reduction from scratch takes, and keeps the same promise:
- * every bound holds between the original and the result. That is seldom quite as small and depends on the waypoint: something
+ * Resumes a reduction from a checkpoint, in a fraction of the time that a reduction from scratch takes, and keeps the same promise:
+ * every bound holds between the original and the result. That is seldom quite as small and depends on the checkpoint: something
  * to show until the other one is there.
  *
- * The result has neither a map nor errors of vertices, and its errors are upper bounds (`Report.summed`). `options.locked`
- * are indices into the original. The arrays stay the caller's. Rejects as `reduce` does; with the code `bad_waypoint` where
- * the waypoint contradicts itself, has spent what the bound of `variable` allows, or lacks a vertex that is locked.
+ * The result has neither a map nor errors of vertices, and its errors are upper bounds (`Report.errorsAreUpperBounds`). `options.locked`
+ * are indices into the original. The arrays stay the caller's. Rejects as `reduce` does; with the code `bad_checkpoint` where
+ * the checkpoint contradicts itself, has spent what the bound of `variable` allows, or lacks a vertex that is locked.
  */
-export function reduceOnward(waypoint: Waypoint, options: OnwardOptions): Promise<Reduction> {
-  return sharedEngine().reduceOnward(waypoint, options);
+export function resumeReduction(checkpoint: Checkpoint, options: ResumeOptions): Promise<Reduction> {
+  return sharedEngine().resumeReduction(checkpoint, options);
 }
 
 /**

@@ -25,5 +25,5 @@ export interface Inspection {
   vertices: number;
   /** Position first, then the mesh's variables in their order. */
   variables: VariableExtent[];
-  oddities: Report['oddities'];
+  defects: Report['defects'];
 }

@@ -1,14 +1,18 @@
 import type createModule from '../build/wasm/meshbound.mjs';
 import type { Inspection } from './inspection.ts';
 import type { ModuleSettings } from './module-settings.ts';
-import type { CoreLevelsOptions, CoreOnwardOptions, CoreOptions, Outcome } from './tasks.ts';
-import type { Levels, MappedReduction, Mesh, Reduction, Segmentation, Waypoint } from './types.ts';
+import type { CoreLevelsOptions, CoreResumeOptions, CoreOptions, Outcome } from './tasks.ts';
+import type { Levels, MappedReduction, Mesh, Reduction, Segmentation, Checkpoint } from './types.ts';
 
 /** The functions of wasm/bindings.cpp. They block until they are done. */
 export interface Core {
   /** Calls `goOn` every few milliseconds with the progress; `false` cancels. */
   reduce(mesh: Mesh, options: CoreOptions, goOn: (progress: number) => boolean): Outcome<Reduction>;
-  reduceOnward(waypoint: Waypoint, options: CoreOnwardOptions, goOn: (progress: number) => boolean): Outcome<Reduction>;
+  resumeReduction(
+    checkpoint: Checkpoint,
+    options: CoreResumeOptions,
+    goOn: (progress: number) => boolean,
+  ): Outcome<Reduction>;
   reduceLevels(mesh: Mesh, options: CoreLevelsOptions, goOn: (progress: number) => boolean): Outcome<Levels>;
   segment(mesh: Mesh, reduction: MappedReduction, goOn: (progress: number) => boolean): Outcome<Segmentation>;
   inspect(mesh: Mesh): Outcome<Inspection>;

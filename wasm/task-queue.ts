@@ -104,9 +104,9 @@ export class TaskQueue {
     }
   }
 
-  /** Not for a reduction onward: the one from the original, which is to follow, needs that memory again. */
+  /** Not for a resumed reduction: the one from the original, which is to follow, needs that memory again. */
   private holdsTooMuchFor({ kind }: Task, size: number): boolean {
-    return kind !== 'reduceOnward' && this.memory > Math.max(keptMemory, keptRatio * size);
+    return kind !== 'resumeReduction' && this.memory > Math.max(keptMemory, keptRatio * size);
   }
 
   private start(): WorkerThread {

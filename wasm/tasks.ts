@@ -5,24 +5,24 @@ import type {
   LevelsOptions,
   MappedReduction,
   Mesh,
-  OnwardOptions,
+  ResumeOptions,
   ReduceOptions,
   Reduction,
   Segmentation,
-  Waypoint,
+  Checkpoint,
 } from './types.ts';
 
 /** The options that cross to the worker; signal and progress stay with the caller. */
 export type CoreOptions = Omit<ReduceOptions, 'signal' | 'onProgress'>;
 
-export type CoreOnwardOptions = Omit<OnwardOptions, 'signal' | 'onProgress'>;
+export type CoreResumeOptions = Omit<ResumeOptions, 'signal' | 'onProgress'>;
 
 export type CoreLevelsOptions = Omit<LevelsOptions, 'signal' | 'onProgress'>;
 
 /** What the worker takes for each kind of task, and what that gives when it succeeds. */
 interface Tasks {
   reduce: { input: { mesh: Mesh; options: CoreOptions }; value: Reduction };
-  reduceOnward: { input: { waypoint: Waypoint; options: CoreOnwardOptions }; value: Reduction };
+  resumeReduction: { input: { checkpoint: Checkpoint; options: CoreResumeOptions }; value: Reduction };
   reduceLevels: { input: { mesh: Mesh; options: CoreLevelsOptions }; value: Levels };
   segment: { input: { mesh: Mesh; reduction: MappedReduction }; value: Segmentation };
   inspect: { input: { mesh: Mesh }; value: Inspection };

@@ -116,8 +116,8 @@ val triangle_errors_to(const TriangleErrors& errors) {
 }
 
 val map_to(const SurfaceMap& map) {
-    const auto triangle = [](const MapPlace& place, std::uint32_t* to) { *to = place.triangle; };
-    const auto barycentric = [](const MapPlace& place, double* to) { std::copy_n(&place.barycentric.x, 3, to); };
+    const auto triangle = [](const SurfacePoint& place, std::uint32_t* to) { *to = place.triangle; };
+    const auto barycentric = [](const SurfacePoint& place, double* to) { std::copy_n(&place.barycentric.x, 3, to); };
     const auto edges = [](const MapCrossing& crossing, std::uint32_t* to) {
         std::copy_n(&crossing.original.x, 2, to);
         std::copy_n(&crossing.reduced.x, 2, to + 2);
@@ -127,10 +127,10 @@ val map_to(const SurfaceMap& map) {
         to[1] = crossing.t;
     };
     const auto rightward = [](const MapCrossing& crossing, std::uint8_t* to) { *to = crossing.rightward ? 1 : 0; };
-    return object(field("triangle", gathered_to<std::uint32_t, 1>(map.places, triangle)),
-                  field("barycentric", gathered_to<double, 3>(map.places, barycentric)),
+    return object(field("triangle", gathered_to<std::uint32_t, 1>(map.images, triangle)),
+                  field("barycentric", gathered_to<double, 3>(map.images, barycentric)),
                   field("crossingEdges", gathered_to<std::uint32_t, 4>(map.crossings, edges)),
-                  field("crossingPlaces", gathered_to<double, 2>(map.crossings, places)),
+                  field("crossingShares", gathered_to<double, 2>(map.crossings, places)),
                   field("crossingRightward", gathered_to<std::uint8_t, 1>(map.crossings, rightward)));
 }
 
@@ -145,11 +145,11 @@ val morph_end_to(const MorphEnd& end) {
         if (i == 0) position = values_to(end.variables[i].values);
         else others.call<void>("push", variable_to(end.variables[i]));
     }
-    const auto vertices = [](const MorphPlace& place, std::uint32_t* to) { std::copy_n(&place.vertices.x, 3, to); };
-    const auto weights = [](const MorphPlace& place, double* to) { std::copy_n(&place.weights.x, 3, to); };
+    const auto vertices = [](const MorphPoint& place, std::uint32_t* to) { std::copy_n(&place.vertices.x, 3, to); };
+    const auto weights = [](const MorphPoint& place, double* to) { std::copy_n(&place.weights.x, 3, to); };
     return object(field("position", position), field("variables", others), field("triangle", array_to(end.triangles)),
-                  field("vertices", gathered_to<std::uint32_t, 3>(end.places, vertices)),
-                  field("weights", gathered_to<double, 3>(end.places, weights)));
+                  field("vertices", gathered_to<std::uint32_t, 3>(end.points, vertices)),
+                  field("weights", gathered_to<double, 3>(end.points, weights)));
 }
 
 val morph_to(const Morph& morph) {
@@ -171,16 +171,16 @@ val before_after(std::size_t before, std::size_t after) {
     return object(field("before", number(before)), field("after", number(after)));
 }
 
-val oddities_to(const Oddities& oddities) {
-    val result = object(field("repeatedVertexTriangles", number(oddities.repeated_vertex_triangles)),
-                        field("zeroAreaTriangles", number(oddities.zero_area_triangles)),
-                        field("unusedVertices", number(oddities.unused_vertices)),
-                        field("turnedTriangles", number(oddities.turned_triangles)),
-                        field("unorientableParts", number(oddities.unorientable_parts)),
-                        field("copiedTriangles", number(oddities.copied_triangles)),
-                        field("twoSidedTriangles", number(oddities.two_sided_triangles)));
-    if (oddities.unorientable_triangle) {
-        result.set("unorientableTriangle", number(*oddities.unorientable_triangle));
+val oddities_to(const MeshDefects& defects) {
+    val result = object(field("repeatedVertexTriangles", number(defects.repeated_vertex_triangles)),
+                        field("zeroAreaTriangles", number(defects.zero_area_triangles)),
+                        field("unusedVertices", number(defects.unused_vertices)),
+                        field("flippedTriangles", number(defects.flipped_triangles)),
+                        field("unorientableComponents", number(defects.unorientable_components)),
+                        field("copiedTriangles", number(defects.copied_triangles)),
+                        field("twoSidedTriangles", number(defects.two_sided_triangles)));
+    if (defects.unorientable_triangle) {
+        result.set("unorientableTriangle", number(*defects.unorientable_triangle));
     }
     return result;
 }
@@ -197,39 +197,39 @@ val region_report_to(const RegionReport& region) {
                   field("area", object(field("before", region.area_before), field("after", region.area_after))));
 }
 
-std::string stopped_name(Stopped stopped) {
-    switch (stopped) {
-    case Stopped::finished: return "finished";
-    case Stopped::cancelled: return "cancelled";
-    case Stopped::on_the_way: return "on_the_way";
+std::string termination_name(Termination termination) {
+    switch (termination) {
+    case Termination::finished: return "finished";
+    case Termination::cancelled: return "cancelled";
+    case Termination::intermediate: return "intermediate";
     }
     return "";
 }
 
 val report_to(const Report& report, double seconds) {
-    val result =
-        object(field("triangles", before_after(report.triangles_before, report.triangles_after)),
-               field("vertices", before_after(report.vertices_before, report.vertices_after)),
-               field("variables", list_to(report.variables, variable_report_to)),
-               field("candidates", number(report.candidates)), field("refused", refusals_to(report.refused)),
-               field("oddities", oddities_to(report.oddities)),
-               field("dropped", object(field("parts", number(report.dropped.parts)),
-                                       field("triangles", number(report.dropped.triangles)))),
-               field("unmetBoxes", list_to(report.unmet_boxes, number)),
-               field("regions", list_to(report.regions, region_report_to)),
-               field("turnedAway", before_after(report.turned_before, report.turned_after)),
-               field("nonManifoldVertices", number(report.non_manifold_vertices)), field("cells", number(report.cells)),
-               field("foldedCells", number(report.folded_cells)), field("stopped", stopped_name(report.stopped)),
-               field("summed", report.summed), field("seconds", seconds));
+    val result = object(
+        field("triangles", before_after(report.triangles_before, report.triangles_after)),
+        field("vertices", before_after(report.vertices_before, report.vertices_after)),
+        field("variables", list_to(report.variables, variable_report_to)),
+        field("candidates", number(report.candidates)), field("refused", refusals_to(report.refused)),
+        field("defects", oddities_to(report.defects)),
+        field("dropped", object(field("parts", number(report.dropped.components)),
+                                field("triangles", number(report.dropped.triangles)))),
+        field("unusedLockedBoxes", list_to(report.unused_locked_boxes, number)),
+        field("regions", list_to(report.regions, region_report_to)),
+        field("flippedNormals", before_after(report.flipped_normals_before, report.flipped_normals_after)),
+        field("nonManifoldVertices", number(report.non_manifold_vertices)), field("cells", number(report.cells)),
+        field("foldedCells", number(report.folded_cells)), field("termination", termination_name(report.termination)),
+        field("errorsAreUpperBounds", report.errors_are_upper_bounds), field("seconds", seconds));
     if (report.feature_size) {
         result.set("featureSize", *report.feature_size);
     }
     return result;
 }
 
-val waypoint_to(const Waypoint& waypoint, double seconds) {
-    return object(field("mesh", mesh_to(waypoint.mesh)), field("vertices", array_to(waypoint.vertices)),
-                  field("report", report_to(waypoint.report, seconds)));
+val checkpoint_to(const Checkpoint& checkpoint, double seconds) {
+    return object(field("mesh", mesh_to(checkpoint.mesh)), field("vertices", array_to(checkpoint.vertices)),
+                  field("report", report_to(checkpoint.report, seconds)));
 }
 
 val extent_to(const VariableView& variable, const ResolvedBound& bound) {
@@ -241,16 +241,16 @@ val extent_to(const VariableView& variable, const ResolvedBound& bound) {
 
 } // namespace
 
-val reduction_to(const Reduction& reduction, double seconds, const Waypoint* waypoint) {
+val reduction_to(const Reduction& reduction, double seconds, const Checkpoint* checkpoint) {
     val result = object(field("mesh", mesh_to(reduction.mesh)), field("vertices", array_to(reduction.vertices)),
                         field("triangleErrors", list_to(reduction.triangle_errors, triangle_errors_to)),
                         field("report", report_to(reduction.report, seconds)));
-    if (!reduction.map.places.empty()) {
+    if (!reduction.map.images.empty()) {
         result.set("map", map_to(reduction.map));
         result.set("vertexErrors", list_to(reduction.vertex_errors, vertex_errors_to));
     }
-    if (waypoint && !waypoint->vertices.empty()) {
-        result.set("waypoint", waypoint_to(*waypoint, seconds));
+    if (checkpoint && !checkpoint->vertices.empty()) {
+        result.set("checkpoint", checkpoint_to(*checkpoint, seconds));
     }
     return result;
 }
@@ -280,13 +280,13 @@ val segmentation_to(const Segmentation& segmentation) {
                   field("reduced", array_to(reduced)), field("foldedPieces", number(segmentation.folded_pieces)));
 }
 
-val inspection_to(const Mesh& mesh, const Oddities& oddities, const std::vector<ResolvedBound>& bounds) {
+val inspection_to(const Mesh& mesh, const MeshDefects& defects, const std::vector<ResolvedBound>& bounds) {
     val variables = val::array();
     for (std::size_t i = 0; i < variable_count(mesh); ++i) {
         variables.call<void>("push", extent_to(variable_of(mesh, i), bounds[i]));
     }
     return object(field("triangles", number(mesh.triangles.size())), field("vertices", number(vertex_count(mesh))),
-                  field("variables", variables), field("oddities", oddities_to(oddities)));
+                  field("variables", variables), field("defects", oddities_to(defects)));
 }
 
 val failure_to(const Status& status) {

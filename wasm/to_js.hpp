@@ -6,9 +6,9 @@
 
 namespace meshbound::js {
 
-/// A `Reduction` of wasm/types.ts; map and vertex errors only where there are any (tracked errors), the waypoint where it is
+/// A `Reduction` of wasm/types.ts; map and vertex errors only where there are any (tracked errors), the checkpoint where it is
 /// given. Every array is copied once, into memory of JavaScript's own.
-emscripten::val reduction_to(const Reduction& reduction, double seconds, const Waypoint* waypoint = nullptr);
+emscripten::val reduction_to(const Reduction& reduction, double seconds, const Checkpoint* checkpoint = nullptr);
 
 /// `Levels` of wasm/types.ts. What it hands over it frees, so that nothing large is held twice.
 emscripten::val levels_to(Levels levels, double seconds);
@@ -17,7 +17,7 @@ emscripten::val levels_to(Levels levels, double seconds);
 emscripten::val segmentation_to(const Segmentation& segmentation);
 
 /// An `Inspection` of wasm/inspection.ts. `bounds` has position first, then the mesh's variables.
-emscripten::val inspection_to(const Mesh& mesh, const Oddities& oddities, const std::vector<ResolvedBound>& bounds);
+emscripten::val inspection_to(const Mesh& mesh, const MeshDefects& defects, const std::vector<ResolvedBound>& bounds);
 
 /// A `Failure` of wasm/messages.ts.
 emscripten::val failure_to(const Status& status);

@@ -46,7 +46,7 @@ export interface ReduceOptions {
   errors?: 'propagated' | 'tracked';
   /**
    * The sweeps over the surface: each removes what stays within this fraction of the bounds. Rising, above 0, the last one 1.
-   * Default: the core's, 1/8 and 1. Not of a reduction onward, which takes one.
+   * Default: the core's, 1/8 and 1. Not of a resumed reduction, which takes one.
    */
   sweeps?: number[];
   /**
@@ -55,8 +55,8 @@ export interface ReduceOptions {
    */
   threads?: number;
   /** Tracked errors: choose places of vertices and crossings in the map with smaller errors. Default: the core's. */
-  choosePlaces?: boolean;
-  chooseCrossings?: boolean;
+  optimizeVertexImages?: boolean;
+  optimizeEdgeCrossings?: boolean;
   /** Tracked errors: count the map's cells and folds, a few percent of the time. Default: the core's. */
   countFolds?: boolean;
   /**
@@ -81,14 +81,14 @@ export interface ReduceOptions {
    * Leave out, and count, parts of the surface whose box has a diagonal within the bound of position; the promise is then
    * about the rest. The largest part stays, as do parts with locked vertices. Default: false.
    */
-  dropSmallParts?: boolean;
+  dropSmallComponents?: boolean;
   /**
    * The name of a variable with one component, above zero everywhere, which multiplies every bound: at a point where the
    * original has the multiplier m, no error exceeds m times the bound. It is carried along like any other variable.
    */
-  focus?: string;
-  /** Give out the surface that the reduction passes on its way, too: `Reduction.waypoint`, for `reduceOnward`. Default: false. */
-  waypoint?: boolean;
+  boundMultiplier?: string;
+  /** Give out the surface that the reduction passes on its way, too: `Reduction.checkpoint`, for `resumeReduction`. Default: false. */
+  checkpoint?: boolean;
   /**
    * Hand the mesh's arrays over instead of copying them: they are detached (empty) afterwards. Saves one copy of a large
    * mesh. Default: false, they stay the caller's.
@@ -100,13 +100,13 @@ export interface ReduceOptions {
   onProgress?: (progress: number) => void;
 }
 
-/** What can be asked of a reduction that goes on from a waypoint; what only the original can tell cannot. */
-export type OnwardOptions = Omit<
+/** What can be asked of a reduction that goes on from a checkpoint; what only the original can tell cannot. */
+export type ResumeOptions = Omit<
   ReduceOptions,
-  'sweeps' | 'countFolds' | 'limitToFeatureSize' | 'dropSmallParts' | 'focus' | 'waypoint' | 'transfer'
+  'sweeps' | 'countFolds' | 'limitToFeatureSize' | 'dropSmallComponents' | 'boundMultiplier' | 'checkpoint' | 'transfer'
 >;
 
-export interface LevelsOptions extends Omit<ReduceOptions, 'bounds' | 'waypoint'> {
+export interface LevelsOptions extends Omit<ReduceOptions, 'bounds' | 'checkpoint'> {
   /** The bounds of each level, finest first. From level to level no bound may fall, and at least one must rise. */
   levels: Record<string, Bound>[];
   /** Tracked errors only: make the morphs between neighbours too; a few more triangles may stay. Default: false. */
@@ -135,7 +135,7 @@ export interface VariableReport {
   bound: number;
   /** NaN where it is not known, because the variable is NaN or infinite somewhere. */
   error: number;
-  /** The largest of error / bound, multiplied by the focus as it is there; 1 is the limit; 0 where it is free. */
+  /** The largest of error / bound, multiplied by `boundMultiplier` as it is there; 1 is the limit; 0 where it is free. */
   ratio: number;
   /** Vertices still there because removing them would break this variable's bound. */
   refused: number;
@@ -175,41 +175,41 @@ export interface Report {
     /** What takes its place would pierce another part (`refusePiercing`). */
     piercing: number;
   };
-  oddities: {
+  defects: {
     repeatedVertexTriangles: number;
     zeroAreaTriangles: number;
     unusedVertices: number;
     /** Triangles that face the other side than most around them: turned round. */
-    turnedTriangles: number;
+    flippedTriangles: number;
     /** Parts without two sides (a Möbius band), oriented up to a line across them, and the first triangle of the first of them. */
-    unorientableParts: number;
+    unorientableComponents: number;
     unorientableTriangle?: number;
     /** Triangles on the three vertices of an earlier one that face the same way: left out of the result. */
     copiedTriangles: number;
     /** Pairs of triangles on the same three vertices that face opposite ways: two sides of a sheet, reduced together. */
     twoSidedTriangles: number;
   };
-  /** Parts of the surface that were left out, see `ReduceOptions.dropSmallParts`. */
-  dropped: { parts: number; triangles: number };
+  /** Parts of the surface that were left out, see `ReduceOptions.dropSmallComponents`. */
+  dropped: { components: number; triangles: number };
   /**
    * Which of `ReduceOptions.lockedBoxes` meet no triangle, so that nothing stays because of them; rising indices. Of what was
-   * reduced onward: no triangle of the waypoint.
+   * resumed: no triangle of the checkpoint.
    */
-  unmetBoxes: number[];
+  unusedLockedBoxes: number[];
   /** By rising labels; empty where triangles have none. */
   regions: RegionReport[];
   /** The smallest distance between two lobes, where it limited the bound of position (see `limitToFeatureSize`). */
   featureSize?: number;
   /** Triangles that turn more than a right angle against the original between their corners. */
-  turnedAway: { before: number; after: number };
+  flippedNormals: { before: number; after: number };
   nonManifoldVertices: number;
   /** Tracked errors only: into how many cells the map cuts the original, and how many of them it turns over. */
   cells: number;
   foldedCells: number;
-  /** `on_the_way`: of a waypoint. */
-  stopped: 'finished' | 'cancelled' | 'on_the_way';
-  /** Errors are upper bounds, sums over a waypoint and the way on from there (`reduceOnward`). */
-  summed: boolean;
+  /** `intermediate`: of a checkpoint. */
+  termination: 'finished' | 'cancelled' | 'intermediate';
+  /** Errors are upper bounds, sums over a checkpoint and the way on from there (`resumeReduction`). */
+  errorsAreUpperBounds: boolean;
   /** Wall time of the call in the core; of a level that of all levels. */
   seconds: number;
 }
@@ -220,7 +220,7 @@ export interface TriangleErrors {
   /** Signed, original minus reduced; empty for a variable with several components (position: distance along the normal). */
   lowest: Float32Array;
   highest: Float32Array;
-  /** The largest of error / bound, the bound multiplied as it is at each point (`focus`); 0 where the variable is free. */
+  /** The largest of error / bound, the bound multiplied as it is at each point (`boundMultiplier`); 0 where the variable is free. */
   ratio: Float32Array;
 }
 
@@ -233,7 +233,7 @@ export interface SurfaceMap {
   /** For each crossing: the two input vertices of the original edge, the two vertices of the reduced edge. */
   crossingEdges: Uint32Array;
   /** For each crossing: s along the original edge, t along the reduced edge. */
-  crossingPlaces: Float64Array;
+  crossingShares: Float64Array;
   /**
    * For each crossing: 1 where, with s rising, it passes from the left of the reduced edge (the triangle that has it from its
    * first to its second vertex) to its right, 0 the other way.
@@ -250,9 +250,9 @@ export interface VertexErrors {
 
 /**
  * A surface on the way of a reduction, or its result: what is left of the original, and by its report how far from that it
- * may lie by now. From there `reduceOnward` goes on.
+ * may lie by now. From there `resumeReduction` goes on.
  */
-export interface Waypoint {
+export interface Checkpoint {
   mesh: Mesh;
   /** For each of its vertices the index in the original, rising. */
   vertices: Uint32Array;
@@ -260,14 +260,14 @@ export interface Waypoint {
   report: Report;
 }
 
-export interface Reduction extends Waypoint {
+export interface Reduction extends Checkpoint {
   /** Position first, then the mesh's variables in their order. */
   triangleErrors: TriangleErrors[];
   /** Tracked errors only: the map, and the errors at the input's vertices (position first, then the variables). */
   map?: SurfaceMap;
   vertexErrors?: VertexErrors[];
-  /** Where `ReduceOptions.waypoint` asks for it: the surface before the last sweep, within an eighth of every bound. */
-  waypoint?: Waypoint;
+  /** Where `ReduceOptions.checkpoint` asks for it: the surface before the last sweep, within an eighth of every bound. */
+  checkpoint?: Checkpoint;
 }
 
 /** Of a reduction what says where the mesh went that was reduced: the triangles, where they come from, and the map. */

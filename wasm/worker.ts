@@ -11,7 +11,7 @@ const perform: {
   [Kind in TaskKind]: (core: Core, input: Task<Kind>['input'], goOn: Continue) => Outcome<Value<Kind>>;
 } = {
   reduce: (core, { mesh, options }, goOn) => core.reduce(mesh, options, goOn),
-  reduceOnward: (core, { waypoint, options }, goOn) => core.reduceOnward(waypoint, options, goOn),
+  resumeReduction: (core, { checkpoint, options }, goOn) => core.resumeReduction(checkpoint, options, goOn),
   reduceLevels: (core, { mesh, options }, goOn) => core.reduceLevels(mesh, options, goOn),
   segment: (core, { mesh, reduction }, goOn) => core.segment(mesh, reduction, goOn),
   inspect: (core, { mesh }) => core.inspect(mesh),

@@ -32,7 +32,7 @@ std::string compiler() {
     return name + __VERSION__ + ", " MESHBOUND_PROCESSOR ", " + build;
 }
 
-std::size_t triangles_left(Mesh mesh, Errors errors) {
+std::size_t triangles_left(Mesh mesh, ErrorAccounting errors) {
     meshes::add_usual_fields(mesh);
     Options options;
     options.errors = errors;
@@ -53,7 +53,7 @@ int main(int, char** argv) {
         return 0;
     }
     try {
-        const Errors errors = what == "tracked" ? Errors::tracked : Errors::propagated;
+        const ErrorAccounting errors = what == "tracked" ? ErrorAccounting::tracked : ErrorAccounting::propagated;
         std::cout << triangles_left(meshes::torus(48, 24), errors) + triangles_left(meshes::terrain(5, 8), errors)
                   << '\n';
     } catch (const std::exception& error) {

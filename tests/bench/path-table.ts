@@ -35,8 +35,8 @@ interface Parts {
   whole: number;
 }
 
-/** What answers: a reduction from a waypoint, provisional, or the one from the original. */
-type Answer = 'reduceOnward' | 'reduce';
+/** What answers: a reduction from a checkpoint, provisional, or the one from the original. */
+type Answer = 'resumeReduction' | 'reduce';
 
 function partsOf({ start, steps, pictures }: Way, answer: Answer = 'reduce'): Parts {
   const named = (name: string) => steps.filter((step) => step.name === name);
@@ -91,8 +91,8 @@ export function dragTable(drags: Way[][]): string {
     'drawing',
   ];
   const lines = drags.flatMap((ways) => {
-    const hasDrafts = ways.every(({ steps }) => steps.some(({ name }) => name === 'reduceOnward'));
-    return [...(hasDrafts ? [dragLine(ways, 'reduceOnward')] : []), dragLine(ways, 'reduce')];
+    const hasDrafts = ways.every(({ steps }) => steps.some(({ name }) => name === 'resumeReduction'));
+    return [...(hasDrafts ? [dragLine(ways, 'resumeReduction')] : []), dragLine(ways, 'reduce')];
   });
   return markdown(head, lines);
 }

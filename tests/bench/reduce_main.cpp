@@ -65,7 +65,7 @@ void run(int count, char** arguments) {
     bench::forget_peak();
 
     Options options = with_threads(Options{}, std::atoi(arguments[4]));
-    options.errors = std::string(arguments[3]) == "tracked" ? Errors::tracked : Errors::propagated;
+    options.errors = std::string(arguments[3]) == "tracked" ? ErrorAccounting::tracked : ErrorAccounting::propagated;
     benchmark::RegisterBenchmark(
         "reduce", [&](benchmark::State& state) { reduce_repeatedly(state, mesh, options, bytes_before); })
         ->MeasureProcessCPUTime()

@@ -52,7 +52,7 @@ async function reduce(mesh: Mesh, bound: string, ...args: string[]) {
   const files = ['in.ply', '-o', 'out.ply', '--report', 'report.json'];
   const { status, stdout } = await folder.run('reduce', ...files, '-b', `position=${bound}`, ...args);
   expect(status).toBe(0);
-  return { stdout, heldBack: JSON.parse(folder.text('report.json')).heldBack };
+  return { stdout, refused: JSON.parse(folder.text('report.json')).refused };
 }
 
 /** A grid whose every point is moved by up to ten cells any way: full of folds. */
@@ -84,8 +84,8 @@ test.each<[string, Mesh, string[], string, string]>([
   ['a tetrahedron', tetrahedron, [], 'topology', '100 % of the vertices left cannot go without making another surface'],
   ['a crumpled sheet', crumpled(), [], 'fold', '% of the vertices left cannot go without a fold'],
 ])('names what held most: %s', async (_, mesh, args, reason, words) => {
-  const { stdout, heldBack } = await reduce(mesh, '20%', ...args);
-  expect(heldBack.whyLittleWent.reason).toBe(reason);
+  const { stdout, refused } = await reduce(mesh, '20%', ...args);
+  expect(refused.whyLittleWent.reason).toBe(reason);
   expect(stdout).toContain('Why so little went: ');
   expect(stdout).toContain(words);
 });
@@ -96,8 +96,8 @@ test('says nothing where the bounds are the reason, or where half went', async (
     [wavy, '1e-9'],
     [wavy, '5%'],
   ] as const) {
-    const { stdout, heldBack } = await reduce(mesh, bound);
-    expect(heldBack.whyLittleWent).toBeNull();
+    const { stdout, refused } = await reduce(mesh, bound);
+    expect(refused.whyLittleWent).toBeNull();
     expect(stdout).not.toContain('Why so little');
   }
 });

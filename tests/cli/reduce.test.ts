@@ -66,16 +66,15 @@ test('the report has the documented shape', async () => {
   const number = expect.any(Number);
   expect(report).toEqual({
     triangles: { before: 512, after: (await folder.read('out.vtp')).mesh.triangles.length / 3 },
-    orientation: { turnedTriangles: 0, unorientableParts: 0 },
-    coincident: { copiedTriangles: 0, twoSidedTriangles: 0 },
+    defects: { flippedTriangles: 0, unorientableComponents: 0, copiedTriangles: 0, twoSidedTriangles: 0 },
     nonManifoldVertices: 0,
     seams: { points: 0, touching: 0 },
     map: { cells: number, foldedCells: number },
-    turnedAway: { before: number, after: number },
-    dropped: { parts: 0, triangles: 0 },
+    flippedNormals: { before: number, after: number },
+    dropped: { components: 0, triangles: 0 },
     featureSize: null,
-    unmetBoxes: [],
-    heldBack: {
+    unusedLockedBoxes: [],
+    refused: {
       candidates: number,
       bounds: { position: number, pressure: number, velocity: number, temperature: 0 },
       nonManifold: 0,
@@ -101,14 +100,14 @@ test('the report has the documented shape', async () => {
       cost: 'introduced',
       refusePiercing: false,
       limitToFeatureSize: false,
-      dropSmallParts: false,
-      focus: null,
+      dropSmallComponents: false,
+      boundMultiplier: null,
       region: null,
       lockPoints: [],
       lockRegions: [],
       lockBoxes: [],
     },
-    stopped: 'finished',
+    termination: 'finished',
   });
 });
 
@@ -150,8 +149,8 @@ describe('bounds', () => {
 
 describe('options', () => {
   test('--errors and --cost reach the reduction', async () => {
-    const { report } = await reduce(...all, '--errors', 'propagated', '--cost', 'max');
-    expect(report.options).toMatchObject({ errors: 'propagated', cost: 'max' });
+    const { report } = await reduce(...all, '--errors', 'propagated', '--cost', 'maximum');
+    expect(report.options).toMatchObject({ errors: 'propagated', cost: 'maximum' });
     const introduced = await reduce(...all, '--errors', 'propagated');
     const tracked = await reduce(...all);
     const after = [report, introduced.report, tracked.report].map(({ triangles }) => triangles.after);
@@ -160,7 +159,7 @@ describe('options', () => {
   });
 
   test('a --cost without effect is said to have none', async () => {
-    expect((await reduce(...all, '--cost', 'max')).stderr).toContain(
+    expect((await reduce(...all, '--cost', 'maximum')).stderr).toContain(
       '--cost has an effect with --errors propagated only',
     );
   });
@@ -325,7 +324,7 @@ test('what is written for people puts neither a bound nor an error below what it
   const report = {
     triangles: { before: 9, after: 3 },
     variables: [{ ...reached, bound: 2437.401, error: 2437.4, ratio: 0.9999996 }],
-    turnedAway: { before: 0, after: 0 },
+    flippedNormals: { before: 0, after: 0 },
     cells: 40,
     foldedCells: 0,
     regions: [],
@@ -340,7 +339,7 @@ test('the summary says where the bounds are not those in the table, and powers o
   const report = {
     triangles: { before: 9, after: 3 },
     variables: [of('position', 0.4, 0.9), of('p', 1.4153e18, 2e6)],
-    turnedAway: { before: 0, after: 0 },
+    flippedNormals: { before: 0, after: 0 },
     regions: [],
     seconds: 1,
   } as unknown as Report;
@@ -349,7 +348,7 @@ test('the summary says where the bounds are not those in the table, and powers o
   expect(plain).toMatch(/position +0\.4 +3 % +0\.9 +0\.5$/m);
   expect(plain).toMatch(/p +1\.416e\+18 +3 % +2000000 +0\.5$/m);
   expect(plain).not.toContain('multiplied');
-  const special = reportText({ ...report, featureSize: 0.8 }, { bounds, focus: 'near' });
+  const special = reportText({ ...report, featureSize: 0.8 }, { bounds, boundMultiplier: 'near' });
   expect(special).toMatch(/position +0\.4 +limited +0\.9 +0\.5$/m);
   expect(special).toMatch(/p +1\.416e\+18 +3 % /m);
   expect(special).toContain('bounds are multiplied by “near”');
@@ -357,8 +356,8 @@ test('the summary says where the bounds are not those in the table, and powers o
 
 test('the summary tells of triangles that turn away and of folds of the map where there are any', () => {
   const counts = { triangles: { before: 9, after: 3 }, variables: [], regions: [], seconds: 1, cells: 4000 };
-  const text = (turnedAway: Report['turnedAway'], foldedCells: number) =>
-    reportText({ ...counts, turnedAway, foldedCells } as unknown as Report, { bounds: {} });
+  const text = (flippedNormals: Report['flippedNormals'], foldedCells: number) =>
+    reportText({ ...counts, flippedNormals, foldedCells } as unknown as Report, { bounds: {} });
   expect(text({ before: 0, after: 0 }, 0)).not.toMatch(/turned|folded/);
   expect(text({ before: 2, after: 0 }, 0)).toMatch(/turned more than .*: 2 -> 0 triangles$/m);
   expect(text({ before: 0, after: 1 }, 0)).toMatch(/turned more than .*: 0 -> 1 triangle$/m);
@@ -389,10 +388,10 @@ test('the report counts what is not manifold, what was turned and parts without 
     return JSON.parse(folder.text('odd.json'));
   };
   const tracked = await reportOf();
-  expect(tracked.orientation.unorientableParts).toBe(1);
+  expect(tracked.defects.unorientableComponents).toBe(1);
   expect(tracked.nonManifoldVertices).toBeGreaterThanOrEqual(2);
   expect(tracked.map.cells).toBeGreaterThan(0);
-  expect(await reportOf('--errors', 'propagated')).toMatchObject({ orientation: tracked.orientation, map: null });
+  expect(await reportOf('--errors', 'propagated')).toMatchObject({ defects: tracked.defects, map: null });
 });
 
 test('points and boxes that are locked stay, and bounds are finer where a variable is small', async () => {
@@ -407,7 +406,7 @@ test('points and boxes that are locked stay, and bounds are finer where a variab
   };
   const count = ({ triangles }: Mesh) => triangles.length / 3;
   const plain = await left();
-  expect(count(await left('--focus', 'near'))).toBeGreaterThan(count(plain));
+  expect(count(await left('--bound-multiplier', 'near'))).toBeGreaterThan(count(plain));
   expect(count(await left('--lock-box=-1,-1,-1,0.3,0.3,1'))).toBeGreaterThan(count(plain));
 
   const locked = vertices(await left('--lock-points', '40-42,77'));
@@ -425,11 +424,11 @@ test('a box that meets no triangle is said to lock nothing; one that touches the
     status: 0,
     stderr: 'engine.vtp: --lock-box=-9,-9,-9,-8,-8,-8 meets no triangle: nothing stays because of it.\n',
   });
-  expect(JSON.parse(folder.text('boxes.json')).unmetBoxes).toEqual([0]);
+  expect(JSON.parse(folder.text('boxes.json')).unusedLockedBoxes).toEqual([0]);
 });
 
-test('a focus that the file has not is a fault', async () => {
-  const outcome = await folder.run('reduce', 'engine.vtp', '-o', 'out.vtp', ...all, '--focus', 'nearness');
+test('a multiplier that the file has not is a fault', async () => {
+  const outcome = await folder.run('reduce', 'engine.vtp', '-o', 'out.vtp', ...all, '--bound-multiplier', 'nearness');
   expect(outcome.status).not.toBe(0);
   expect(outcome.stderr).toContain('there is no variable “nearness” to multiply the bounds');
 });
@@ -452,10 +451,13 @@ test('parts smaller than the bound go when asked for, and triangles that face th
   const files = ['crumb.vtp', '-o', 'out.vtp', '--report', 'crumb.json'];
   const run = (...args: string[]) => folder.run('reduce', ...files, ...all, ...args);
   const kept = await run();
-  expect(JSON.parse(folder.text('crumb.json')).orientation).toEqual({ turnedTriangles: 1, unorientableParts: 0 });
+  expect(JSON.parse(folder.text('crumb.json')).defects).toMatchObject({
+    flippedTriangles: 1,
+    unorientableComponents: 0,
+  });
   expect(kept.stderr).toContain('1 triangle faces the other side than most around them: turned round.');
   expect(kept.stderr).not.toContain('left out');
-  expect((await run('--drop-small')).stderr).toContain(
+  expect((await run('--drop-small-components')).stderr).toContain(
     '1 part smaller than the bound of position, 1 triangle: left out',
   );
 });
@@ -544,7 +546,15 @@ test('the report and the summary tell how much of each region is left', async ()
   const points = original.position.length / 3;
   const triangles = Uint32Array.from([...original.triangles, points, points + 1, points + 2]);
   await folder.save('parted.vtp', { position, triangles, variables: [], regions });
-  const args = ['-b', 'position=5%', '--region', 'regions', '--drop-small', '--lock-box', '0,0,-1,0.1,0.1,1'];
+  const args = [
+    '-b',
+    'position=5%',
+    '--region',
+    'regions',
+    '--drop-small-components',
+    '--lock-box',
+    '0,0,-1,0.1,0.1,1',
+  ];
   const more = ['--lock-points', '3,9-11', '--lock-region=-3', '--report', 'report.json'];
   const { stdout, status } = await folder.run('reduce', 'parted.vtp', '-o', 'out.vtp', ...args, ...more);
   expect(status).toBe(0);
@@ -565,10 +575,10 @@ test('the report and the summary tell how much of each region is left', async ()
     triangles: { before: 1, after: 0 },
     area: { before: expect.closeTo(5e-7, 9), after: 0 },
   });
-  expect(report).toMatchObject({ vanishedRegions: [12], dropped: { parts: 1, triangles: 1 } });
+  expect(report).toMatchObject({ vanishedRegions: [12], dropped: { components: 1, triangles: 1 } });
   expect(report.options).toMatchObject({
-    dropSmallParts: true,
-    focus: null,
+    dropSmallComponents: true,
+    boundMultiplier: null,
     region: 'regions',
     lockPoints: ['3,9-11'],
     lockRegions: [-3],
@@ -658,7 +668,7 @@ test('says how many triangles lie on one another, and reduces both sides of a sh
   expect(run).toMatchObject({ status: 0 });
   const report = JSON.parse(folder.text('sheet.json'));
   expect(report.triangles).toEqual({ before: 17, after: 4 });
-  expect(report.coincident).toEqual({ copiedTriangles: 1, twoSidedTriangles: 8 });
+  expect(report.defects).toMatchObject({ copiedTriangles: 1, twoSidedTriangles: 8 });
   expect(run.stderr).toContain('8 pairs of triangles on the same three points, facing opposite ways');
   expect(run.stderr).toContain('1 triangle is a copy of another one');
   const inspected = await folder.run('inspect', 'sheet.ply');
@@ -671,7 +681,7 @@ test('says why little went where it is not the bounds', async () => {
   const files = ['engine.vtp', '-o', 'out.vtp', '--report', 'locked.json'];
   const run = await folder.run('reduce', ...files, ...all, '--lock-box=-1e9,-1e9,-1e9,1e9,1e9,1e9');
   expect(run.stdout).toContain('Why so little went: 100 % of the vertices left are locked.');
-  expect(JSON.parse(folder.text('locked.json')).heldBack.whyLittleWent).toEqual({ reason: 'locked', share: 1 });
+  expect(JSON.parse(folder.text('locked.json')).refused.whyLittleWent).toEqual({ reason: 'locked', share: 1 });
   const bounded = await folder.run('reduce', ...files, '-b', 'position=0.0001%', '-b', '*=0.0001%');
   expect(bounded.stdout).not.toContain('Why so little');
 });

@@ -40,7 +40,7 @@ const usageFaults: Case[] = [
   [['reduce', 'in.vtp', ...bound], '-o OUT is missing.'],
   [['reduce', 'in.vtp', ...toOut], 'No bound was given'],
   [['reduce', 'in.vtp', ...toOut, ...bound, '--errors', 'guessed'], '“guessed”; it is tracked or propagated'],
-  [['reduce', 'in.vtp', ...toOut, ...bound, '--cost', 'sum'], '“sum”; it is max or introduced'],
+  [['reduce', 'in.vtp', ...toOut, ...bound, '--cost', 'sum'], '“sum”; it is maximum or introduced'],
   [['reduce', 'in.vtp', ...toOut, ...bound, '--lock-points', '3,-1'], '“-1” is no point and no range'],
   [['reduce', 'in.vtp', ...toOut, ...bound, '--lock-points', '9-3'], '“9-3” is no point and no range'],
   [['reduce', 'in.vtp', ...toOut, ...bound, '--lock-box', '0,0,0,1,1'], 'a box has six numbers'],
@@ -64,12 +64,12 @@ const usageFaults: Case[] = [
     /value of -o is missing, or begins with a minus; .* --output=--quiet\./,
   ],
   [
-    ['reduce', 'in.vtp', ...toOut, ...bound, '--focus', 'pressure', '--focus', 'heat'],
-    '--focus was given “pressure”, “heat”',
+    ['reduce', 'in.vtp', ...toOut, ...bound, '--bound-multiplier', 'pressure', '--bound-multiplier', 'heat'],
+    '--bound-multiplier was given “pressure”, “heat”',
   ],
   [
-    ['verify', 'in.vtp', 'in.vtp', ...bound, '--focus', 'a', '--focus', 'b'],
-    '--focus was given “a”, “b”; one variable',
+    ['verify', 'in.vtp', 'in.vtp', ...bound, '--bound-multiplier', 'a', '--bound-multiplier', 'b'],
+    '--bound-multiplier was given “a”, “b”; one variable',
   ],
   [['reduce', 'in.vtp', ...toOut, '-b', '*=1%', '--lock-region', '3'], '--lock-region goes with --region NAME'],
   [['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '--map', 'm.vtp'], '--map goes with one result'],
@@ -128,11 +128,11 @@ const fileFaults: Case[] = [
     'in.vtp: Limiting to the feature size needs a bound of “position”, which is free.',
   ],
   [
-    ['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1%', '--drop-small'],
+    ['reduce', 'in.vtp', ...toOut, '-b', 'pressure=1%', '--drop-small-components'],
     'in.vtp: Leaving out small parts needs a bound of “position”, which is free.',
   ],
   [
-    ['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '-b', 'position=free', '--drop-small'],
+    ['reduce', 'in.vtp', ...toOut, '--levels', '1%,3%', '-b', 'position=free', '--drop-small-components'],
     'in.vtp: Of level 1: Leaving out small parts needs',
   ],
   [

@@ -50,7 +50,7 @@ test('--json has the documented shape', async () => {
     original: 'engine.vtp',
     reduced: 'small.vtp',
     bounds: ['position', 'pressure', 'velocity', 'temperature'].map((name) => ({ name, bound: expect.any(Number) })),
-    focus: null,
+    boundMultiplier: null,
     ratio: expect.any(Number),
     surface: both,
     boundary: both,
@@ -126,7 +126,7 @@ test('a variable with other components cannot be compared', async () => {
   expect(outcome.stderr).toContain('flat.vtp: “velocity” has 1 component, that of the original 3');
 });
 
-describe('with --focus, bounds hold as the variable multiplies them', () => {
+describe('with --bound-multiplier, bounds hold as the variable multiplies them', () => {
   const focused = [...bounds, '-b', 'sharp=free'];
 
   /** The engine with a multiplier: a twentieth on one side of it. */
@@ -141,20 +141,36 @@ describe('with --focus, bounds hold as the variable multiplies them', () => {
   beforeAll(() => folder.save('sharp.vtp', sharpened()));
 
   test('what was reduced so passes', async () => {
-    await folder.run('reduce', 'sharp.vtp', '-o', 'focused.vtp', ...focused, '--focus', 'sharp');
-    const outcome = await folder.run('verify', 'sharp.vtp', 'focused.vtp', ...focused, '--focus', 'sharp');
+    await folder.run('reduce', 'sharp.vtp', '-o', 'focused.vtp', ...focused, '--bound-multiplier', 'sharp');
+    const outcome = await folder.run('verify', 'sharp.vtp', 'focused.vtp', ...focused, '--bound-multiplier', 'sharp');
     expect(outcome).toMatchObject({ status: 0, stderr: '' });
     expect(outcome.stdout).toContain('each multiplied by sharp');
-    const json = await folder.run('verify', 'sharp.vtp', 'focused.vtp', '--json', ...focused, '--focus', 'sharp');
+    const json = await folder.run(
+      'verify',
+      'sharp.vtp',
+      'focused.vtp',
+      '--json',
+      ...focused,
+      '--bound-multiplier',
+      'sharp',
+    );
     const found = JSON.parse(json.stdout);
-    expect(found.focus).toBe('sharp');
+    expect(found.boundMultiplier).toBe('sharp');
     expect(found.ratio).toBeGreaterThan(0.5);
   });
 
   test('what was reduced without does not', async () => {
     const plain = await folder.run('verify', 'sharp.vtp', 'small.vtp', ...focused);
     expect(plain.status).toBe(0);
-    const found = await folder.run('verify', 'sharp.vtp', 'small.vtp', '--json', ...focused, '--focus', 'sharp');
+    const found = await folder.run(
+      'verify',
+      'sharp.vtp',
+      'small.vtp',
+      '--json',
+      ...focused,
+      '--bound-multiplier',
+      'sharp',
+    );
     expect(found.status).toBe(1);
     const { surface } = JSON.parse(found.stdout);
     expect(surface.fromOriginal.position[0]).toBeLessThan(0.6);
@@ -162,7 +178,7 @@ describe('with --focus, bounds hold as the variable multiplies them', () => {
 
   test('what cannot multiply is refused', async () => {
     const fault = (name: string, file = 'sharp.vtp') =>
-      folder.run('verify', file, 'small.vtp', '-b', 'position=1%', '--focus', name);
+      folder.run('verify', file, 'small.vtp', '-b', 'position=1%', '--bound-multiplier', name);
     expect(await fault('shrap')).toMatchObject({ status: 2, stdout: '' });
     expect((await fault('shrap')).stderr).toContain('sharp.vtp: there is no variable “shrap” to multiply the bounds');
     expect((await fault('velocity')).stderr).toContain('“velocity” has 3 components');

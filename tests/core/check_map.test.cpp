@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "meshbound/meshbound.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
@@ -104,10 +104,10 @@ TEST(CheckMap, OfAnotherMesh) {
 }
 
 TEST(CheckMap, Counts) {
-    Status status = refused([](Mapped& broken) { broken.reduction.map.places.pop_back(); });
+    Status status = refused([](Mapped& broken) { broken.reduction.map.images.pop_back(); });
     EXPECT_EQ(status.fault, Fault::bad_map);
-    EXPECT_THAT(status.message, HasSubstr("168 places, but the original has 169 vertices"));
-    status = refused([](Mapped& broken) { broken.reduction.map.places.clear(); });
+    EXPECT_THAT(status.message, HasSubstr("168 images, but the original has 169 vertices"));
+    status = refused([](Mapped& broken) { broken.reduction.map.images.clear(); });
     EXPECT_EQ(status.fault, Fault::bad_map);
     status = refused([](Mapped& broken) { broken.reduction.vertices.pop_back(); });
     EXPECT_EQ(status.fault, Fault::bad_map);
@@ -139,23 +139,23 @@ TEST(CheckMap, Vertices) {
 
 TEST(CheckMap, Places) {
     const std::uint32_t gone = removed_vertex(sound());
-    const auto move = [gone](std::function<void(MapPlace&)> change) {
-        return [gone, change](Mapped& broken) { change(broken.reduction.map.places[gone]); };
+    const auto move = [gone](std::function<void(SurfacePoint&)> change) {
+        return [gone, change](Mapped& broken) { change(broken.reduction.map.images[gone]); };
     };
     const std::string triangles = std::to_string(sound().reduction.mesh.triangles.size());
     expect_bad_map(gone, "into triangle 100000, but the reduced mesh has " + triangles + " triangles (counted from 0)",
-                   move([](MapPlace& place) { place.triangle = 100'000; }));
+                   move([](SurfacePoint& place) { place.triangle = 100'000; }));
     for (const glm::dvec3& w : {glm::dvec3(0.5, 0.5, 0.5), glm::dvec3(2, -1, 0), glm::dvec3(nan, 1, 0)})
-        expect_bad_map(gone, "barycentric", move([w](MapPlace& place) { place.barycentric = w; }));
-    const Status status = refused(move([](MapPlace& place) { place.triangle = nowhere; }));
+        expect_bad_map(gone, "barycentric", move([w](SurfacePoint& place) { place.barycentric = w; }));
+    const Status status = refused(move([](SurfacePoint& place) { place.triangle = nowhere; }));
     EXPECT_THAT(status.message, HasSubstr("none for others"));
     EXPECT_EQ(status.fault, Fault::bad_map);
     EXPECT_TRUE(status.index.has_value());
     const std::uint32_t kept = sound().reduction.vertices[3];
     expect_bad_map(kept, "elsewhere than at vertex 3 of the reduced mesh", [kept](Mapped& broken) {
-        broken.reduction.map.places[kept].barycentric = {0.5, 0.25, 0.25};
+        broken.reduction.map.images[kept].barycentric = {0.5, 0.25, 0.25};
     });
-    expect_bad_map(kept, "elsewhere", [kept](Mapped& broken) { broken.reduction.map.places[kept].triangle = nowhere; });
+    expect_bad_map(kept, "elsewhere", [kept](Mapped& broken) { broken.reduction.map.images[kept].triangle = nowhere; });
 }
 
 TEST(CheckMap, Crossings) {
@@ -216,7 +216,7 @@ TEST(CheckMap, VariablesThatCannotBeMorphed) {
 
 /// Everything that can be read of a segmentation is there.
 void expect_harmless(const MappedSurfaces& surfaces, const Segmentation& segmentation) {
-    const std::size_t corners = surfaces.map.places.size() + surfaces.map.crossings.size();
+    const std::size_t corners = surfaces.map.images.size() + surfaces.map.crossings.size();
     for (const SegmentationCell& cell : segmentation.cells) {
         ASSERT_LT(cell.original, surfaces.original.triangles.size());
         ASSERT_LT(cell.reduced, surfaces.reduced.triangles.size());
@@ -256,8 +256,8 @@ void shuffle(meshes::Random& random, std::vector<T>& list) {
 }
 
 void spoil_places(meshes::Random& random, Mapped& pair) {
-    std::vector<MapPlace>& places = pair.reduction.map.places;
-    MapPlace& place = places[random.below(places.size())];
+    std::vector<SurfacePoint>& places = pair.reduction.map.images;
+    SurfacePoint& place = places[random.below(places.size())];
     switch (random.below(4)) {
     case 0: place.triangle = some_index(random, place.triangle, pair.reduction.mesh.triangles.size()); break;
     case 1: place.barycentric[static_cast<int>(random.below(3))] = some_number(random); break;

@@ -15,8 +15,8 @@
 #include <gtest/gtest.h>
 
 #include "map_certificate.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
@@ -192,7 +192,7 @@ TEST_P(MappedCurves, TheMapIsContinuousAcrossThem) {
         for (const auto& [from, to] : border(mesh)) {
             std::set<std::uint32_t> corners; // of the reduced mesh, with a share in either end
             for (const std::uint32_t end : {from, to}) {
-                const MapPlace& place = reduction.map.places[end];
+                const SurfacePoint& place = reduction.map.images[end];
                 for (int i = 0; i < 3; ++i)
                     if (place.barycentric[i] != 0)
                         corners.insert(reduction.vertices[reduction.mesh.triangles[place.triangle][i]]);
@@ -215,12 +215,12 @@ TEST_P(MappedCurves, TheSegmentationKnowsTheSheets) {
         for (const SegmentationCell& cell : segmentation.cells)
             for (std::uint32_t i = 0; i < cell.corner_count; ++i) {
                 const auto place = [&](std::uint32_t n) {
-                    return place_in_original(surfaces, cell, segmentation.corners[cell.first_corner + n]);
+                    return barycentric_in_original(surfaces, cell, segmentation.corners[cell.first_corner + n]);
                 };
                 const std::uint32_t corner = segmentation.corners[cell.first_corner + i];
                 const glm::dvec3 from = place(i), next = place((i + 1) % cell.corner_count);
                 covered[cell.original] += (from.x * next.y - from.y * next.x) / 2;
-                const glm::dvec3 to = place_in_reduced(surfaces, cell, corner);
+                const glm::dvec3 to = barycentric_in_reduced(surfaces, cell, corner);
                 EXPECT_NEAR(from.x + from.y + from.z, 1, 1e-12);
                 EXPECT_NEAR(to.x + to.y + to.z, 1, 1e-12);
                 if (mesh.regions.empty()) continue;
@@ -261,7 +261,7 @@ TEST_P(MappedCurves, TheSegmentationKnowsTheCurveOfAVertexAtItsEnd) {
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
             mesh.regions.push_back(static_cast<std::int32_t>(random.below(3)));
         const Reduction reduction = reduce(mesh, {{"position", relative(0.5)}});
-        for (const MapPlace& place : reduction.map.places)
+        for (const SurfacePoint& place : reduction.map.images)
             at_ends += std::max({place.barycentric.x, place.barycentric.y, place.barycentric.z}) == 1;
         at_ends -= reduction.vertices.size();
         expect_cells_in_their_regions(mesh, reduction);

@@ -15,8 +15,8 @@
 #include <gtest/gtest.h>
 
 #include "map_certificate.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/sheet.hpp"
@@ -94,7 +94,7 @@ void expect_both_sides_everywhere(const Mesh& mesh) {
 
 /// What is promised of one side; its map, seen from one side.
 void expect_certified(const Mesh& mesh, const Reduction& reduction) {
-    if (reduction.map.places.empty()) return;
+    if (reduction.map.images.empty()) return;
     const Mesh original = one_sided(mesh);
     const Reduction one = one_sided(reduction);
     const certificate::Certificate certificate(original, one); // keeps no copies
@@ -103,7 +103,7 @@ void expect_certified(const Mesh& mesh, const Reduction& reduction) {
 
 /// Segmentation covers every triangle of the original but copies, and every one of the reduced mesh, on its own side.
 void expect_segmented(const Mesh& mesh, const Reduction& reduction) {
-    if (reduction.map.places.empty()) return;
+    if (reduction.map.images.empty()) return;
     Segmentation segmentation;
     const Status status = segment({mesh, reduction}, segmentation);
     ASSERT_TRUE(status.ok()) << status.message;
@@ -118,8 +118,8 @@ void expect_segmented(const Mesh& mesh, const Reduction& reduction) {
             const glm::uvec3& piece = segmentation.pieces[cell.first_piece + i];
             glm::dvec3 at[3];
             for (int k = 0; k < 3; ++k) {
-                at[k] = place_in_original(surfaces, cell, piece[k]);
-                const glm::dvec3 in_reduced = place_in_reduced(surfaces, cell, piece[k]);
+                at[k] = barycentric_in_original(surfaces, cell, piece[k]);
+                const glm::dvec3 in_reduced = barycentric_in_reduced(surfaces, cell, piece[k]);
                 EXPECT_NEAR(in_reduced.x + in_reduced.y + in_reduced.z, 1, 1e-12);
             }
             covered[cell.original] +=
@@ -132,7 +132,7 @@ void expect_segmented(const Mesh& mesh, const Reduction& reduction) {
         uncovered += share == 0;
         EXPECT_NEAR(std::abs(share), share == 0 ? 0 : 1, 1e-9);
     }
-    EXPECT_EQ(uncovered, reduction.report.oddities.copied_triangles);
+    EXPECT_EQ(uncovered, reduction.report.defects.copied_triangles);
 }
 
 void expect_everything(const Mesh& mesh, const Reduction& reduction) {
@@ -162,9 +162,9 @@ TEST_P(DoubleSided, AFlatSquareEndsWithTwoTrianglesASide) {
     EXPECT_EQ(reduction.mesh.triangles.size(), 4U);
     EXPECT_EQ(reduction.report.triangles_before, 16U);
     EXPECT_EQ(reduction.report.triangles_after, 4U);
-    EXPECT_EQ(reduction.report.oddities.two_sided_triangles, 8U);
-    EXPECT_EQ(reduction.report.oddities.copied_triangles, 0U);
-    EXPECT_EQ(reduction.report.oddities.turned_triangles, 0U);
+    EXPECT_EQ(reduction.report.defects.two_sided_triangles, 8U);
+    EXPECT_EQ(reduction.report.defects.copied_triangles, 0U);
+    EXPECT_EQ(reduction.report.defects.flipped_triangles, 0U);
     expect_both_sides_everywhere(reduction.mesh);
     expect_everything(mesh, reduction);
 }
@@ -175,7 +175,7 @@ TEST_P(DoubleSided, BothSidesAreReducedAsOneWouldBe) {
     EXPECT_EQ(reduction.vertices, expected.vertices);
     EXPECT_EQ(reduction.mesh.triangles.size(), 2 * expected.mesh.triangles.size());
     EXPECT_EQ(one_sided(reduction.mesh).triangles, expected.mesh.triangles);
-    EXPECT_EQ(reduction.report.turned_after, 2 * expected.report.turned_after);
+    EXPECT_EQ(reduction.report.flipped_normals_after, 2 * expected.report.flipped_normals_after);
     EXPECT_EQ(reduction.report.cells, 2 * expected.report.cells);
     expect_both_sides_everywhere(reduction.mesh);
     expect_everything(mesh, reduction);
@@ -207,8 +207,8 @@ TEST_P(DoubleSided, CopiesAreLeftOutAndCounted) {
         mesh.triangles.push_back({one.triangles[t].y, one.triangles[t].z, one.triangles[t].x});
     const Reduction expected = reduce(one), reduction = reduce(mesh);
     EXPECT_EQ(reduction.mesh.triangles, expected.mesh.triangles);
-    EXPECT_EQ(reduction.report.oddities.copied_triangles, mesh.triangles.size() - one.triangles.size());
-    EXPECT_EQ(reduction.report.oddities.two_sided_triangles, 0U);
+    EXPECT_EQ(reduction.report.defects.copied_triangles, mesh.triangles.size() - one.triangles.size());
+    EXPECT_EQ(reduction.report.defects.two_sided_triangles, 0U);
     EXPECT_EQ(reduction.report.triangles_before, mesh.triangles.size());
     expect_everything(mesh, reduction);
 }
@@ -218,8 +218,8 @@ TEST_P(DoubleSided, OfManyOnOneAnotherOneEachWayIsLeft) {
     Mesh mesh = with_backs(with_backs(one)); // front, back, back, front
     mesh.triangles.insert(mesh.triangles.end(), one.triangles.begin(), one.triangles.end());
     const Reduction reduction = reduce(mesh);
-    EXPECT_EQ(reduction.report.oddities.two_sided_triangles, one.triangles.size());
-    EXPECT_EQ(reduction.report.oddities.copied_triangles, 3 * one.triangles.size());
+    EXPECT_EQ(reduction.report.defects.two_sided_triangles, one.triangles.size());
+    EXPECT_EQ(reduction.report.defects.copied_triangles, 3 * one.triangles.size());
     EXPECT_EQ(reduction.vertices, reduce(one).vertices);
     expect_both_sides_everywhere(reduction.mesh);
     expect_everything(mesh, reduction);
@@ -232,7 +232,7 @@ TEST_P(DoubleSided, WhichSideComesFirstBearsOnNothing) {
     for (std::size_t t = 0; t < one.triangles.size(); ++t)
         if (random.uniform(0, 1) < 0.5) std::swap(mesh.triangles[t], mesh.triangles[one.triangles.size() + t]);
     const Reduction reduction = reduce(mesh);
-    EXPECT_EQ(reduction.report.oddities.turned_triangles, 0U) << "each faces both ways";
+    EXPECT_EQ(reduction.report.defects.flipped_triangles, 0U) << "each faces both ways";
     EXPECT_NEAR(double(reduction.mesh.triangles.size()), double(reduce(with_backs(one)).mesh.triangles.size()),
                 0.1 * double(reduction.mesh.triangles.size()));
     expect_both_sides_everywhere(reduction.mesh);
@@ -278,7 +278,7 @@ TEST_P(DoubleSided, ASingleSideThatMeetsTwoIsNotTurned) {
     for (glm::uvec3& t : mesh.triangles)
         if (meshes::point(mesh, t.x).x + meshes::point(mesh, t.y).x + meshes::point(mesh, t.z).x > 1.5) t = turned(t);
     const Reduction reduction = reduce(mesh);
-    EXPECT_EQ(reduction.report.oddities.turned_triangles, 0U);
+    EXPECT_EQ(reduction.report.defects.flipped_triangles, 0U);
     promise::expect_judge_agrees(mesh, reduction, 5'000);
     expect_segmented(mesh, reduction);
 }
@@ -336,7 +336,7 @@ TEST_P(DoubleSided, APillowOfTwoTrianglesStaysAndIsASheet) {
     mesh.triangles = {{0, 1, 2}, {0, 2, 1}};
     const Reduction reduction = reduce(mesh);
     EXPECT_EQ(reduction.mesh.triangles, mesh.triangles);
-    EXPECT_EQ(reduction.report.oddities.two_sided_triangles, 1U);
+    EXPECT_EQ(reduction.report.defects.two_sided_triangles, 1U);
     expect_everything(mesh, reduction);
 }
 
@@ -344,8 +344,8 @@ TEST_P(DoubleSided, AMoebiusBandWithBothSidesHasNothingToTurn) {
     Mesh one = meshes::moebius_band(60, 6);
     const Mesh mesh = with_backs(one);
     const Reduction reduction = reduce(mesh);
-    EXPECT_EQ(reduction.report.oddities.unorientable_parts, 0U);
-    EXPECT_EQ(reduction.report.oddities.turned_triangles, 0U);
+    EXPECT_EQ(reduction.report.defects.unorientable_components, 0U);
+    EXPECT_EQ(reduction.report.defects.flipped_triangles, 0U);
     EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 2);
     expect_both_sides_everywhere(reduction.mesh);
     promise::expect_judge_agrees(mesh, reduction, 5'000);
@@ -392,9 +392,9 @@ TEST_P(DoubleSided, SmallPartsAreCountedWithBothSides) {
     mesh.triangles.push_back({first, first + 1, first + 2});
     mesh = with_backs(mesh);
     Options options = GetParam().options();
-    options.drop_small_parts = true;
+    options.drop_small_components = true;
     const Reduction reduction = promise::reduced(mesh, {{"position", absolute(0.01)}}, options);
-    EXPECT_EQ(reduction.report.dropped.parts, 1U);
+    EXPECT_EQ(reduction.report.dropped.components, 1U);
     EXPECT_EQ(reduction.report.dropped.triangles, 2U);
     EXPECT_EQ(reduction.mesh.triangles.size(), 4U);
 }
@@ -411,7 +411,7 @@ TEST_P(DoubleSided, PiercingIsRefusedAsOfOneSide) {
 TEST(DoubleSidedLevels, LinksAndMorphsHaveBothSides) {
     const Mesh mesh = half_double_sided();
     LevelOptions options;
-    options.links = options.morphs = true;
+    options.maps = options.morphs = true;
     Levels levels;
     const Status status = reduce_levels(
         mesh, {promise::percent(0.5, 2), promise::percent(2, 6), promise::percent(5, 15)}, options, levels);
@@ -425,22 +425,22 @@ TEST(DoubleSidedLevels, LinksAndMorphsHaveBothSides) {
     }
 }
 
-TEST(DoubleSidedOnward, AWaypointIsReducedOnBothSides) {
+TEST(DoubleSidedOnward, ACheckpointIsReducedOnBothSides) {
     const Mesh mesh = half_double_sided();
     Reduction reduction, onward;
-    Waypoint waypoint;
-    ASSERT_TRUE(meshbound::reduce(mesh, promise::percent(2, 8), {}, reduction, {}, &waypoint).ok());
-    const Status status = reduce_onward(waypoint, promise::percent(3, 12), {}, onward);
+    Checkpoint checkpoint;
+    ASSERT_TRUE(meshbound::reduce(mesh, promise::percent(2, 8), {}, reduction, {}, &checkpoint).ok());
+    const Status status = resume_reduction(checkpoint, promise::percent(3, 12), {}, onward);
     ASSERT_TRUE(status.ok()) << status.message;
-    EXPECT_LT(onward.mesh.triangles.size(), waypoint.mesh.triangles.size());
-    EXPECT_EQ(onward.report.oddities.two_sided_triangles, reduction.report.oddities.two_sided_triangles);
+    EXPECT_LT(onward.mesh.triangles.size(), checkpoint.mesh.triangles.size());
+    EXPECT_EQ(onward.report.defects.two_sided_triangles, reduction.report.defects.two_sided_triangles);
     promise::expect_judge_agrees(mesh, onward, 5'000);
 }
 
 TEST(DoubleSidedMap, AMapMayNameEitherSide) {
     const Mesh mesh = half_double_sided();
     Reduction reduction = promise::reduced(mesh, promise::percent(2, 8));
-    for (MapPlace& place : reduction.map.places) {
+    for (SurfacePoint& place : reduction.map.images) {
         const std::uint32_t next = place.triangle + 1;
         if (next >= reduction.mesh.triangles.size()) continue;
         const glm::uvec3 &here = reduction.mesh.triangles[place.triangle], &there = reduction.mesh.triangles[next];

@@ -136,7 +136,7 @@ TEST(FeatureLimitTest, TheSearchForItIsPartOfTheProgress) {
                     ++calls;
                     return !in_search(reached);
                 }).ok());
-    EXPECT_EQ(reduction.report.stopped, Stopped::cancelled);
+    EXPECT_EQ(reduction.report.termination, Termination::cancelled);
     EXPECT_EQ(reduction.mesh.triangles.size(), mesh.triangles.size());
     EXPECT_LT(calls, progress.size());
 }
@@ -156,7 +156,7 @@ TEST(FeatureLimitTest, OfAFreePositionIsRefused) {
     options.reduction.limit_to_feature_size = true;
     const Mesh mesh = meshes::two_sheets(6, 0.05);
     Reduction reduction;
-    for (const Bounds& bounds : {Bounds{}, Bounds{{"*", relative(0.1)}, {"position", free_of_bound()}}}) {
+    for (const Bounds& bounds : {Bounds{}, Bounds{{"*", relative(0.1)}, {"position", unbounded()}}}) {
         const Status status = reduce(mesh, bounds, options.reduction, reduction);
         EXPECT_EQ(status.fault, Fault::bad_option);
         EXPECT_EQ(status.variable, "position");

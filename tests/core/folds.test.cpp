@@ -89,9 +89,9 @@ TEST_P(FoldsTest, AreCountedBeforeAndAfter) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
         const Reduction reduction = promise::reduced(exhibit.mesh, promise::percent(2, 10), GetParam().options());
-        expect_count(reduction.report.turned_before, count_turned(exhibit.mesh, exhibit.mesh.triangles));
-        expect_count(reduction.report.turned_after, count_turned(exhibit.mesh, in_original(reduction)));
-        before += reduction.report.turned_before;
+        expect_count(reduction.report.flipped_normals_before, count_turned(exhibit.mesh, exhibit.mesh.triangles));
+        expect_count(reduction.report.flipped_normals_after, count_turned(exhibit.mesh, in_original(reduction)));
+        before += reduction.report.flipped_normals_before;
     }
     EXPECT_GT(before, 0U);
 }
@@ -103,8 +103,8 @@ TEST_P(FoldsTest, NeverComeAboutOnASphere) {
         SCOPED_TRACE(percent);
         const Reduction reduction =
             promise::reduced(mesh, {{"position", relative(percent / 100)}}, GetParam().options());
-        EXPECT_EQ(reduction.report.turned_before, 0U);
-        EXPECT_EQ(reduction.report.turned_after, 0U);
+        EXPECT_EQ(reduction.report.flipped_normals_before, 0U);
+        EXPECT_EQ(reduction.report.flipped_normals_after, 0U);
         EXPECT_EQ(count_turned(mesh, in_original(reduction))[0], 0U);
     }
 }

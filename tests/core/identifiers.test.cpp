@@ -72,11 +72,11 @@ TEST(Identifiers, StayIdentifiersInResultReportLevelsAndMorphs) {
             EXPECT_EQ(end->variables[2].kind, VariableKind::identifier);
 }
 
-TEST(Identifiers, AreFreeOnwardFromAWaypoint) {
+TEST(Identifiers, AreFreeOnwardFromACheckpoint) {
     Reduction reduction, onward;
-    Waypoint waypoint;
-    ASSERT_TRUE(reduce(numbered_plane(VariableKind::identifier), one_percent, {}, reduction, {}, &waypoint).ok());
-    ASSERT_TRUE(reduce_onward(waypoint, {{"*", relative(0.02)}}, {}, onward).ok());
+    Checkpoint checkpoint;
+    ASSERT_TRUE(reduce(numbered_plane(VariableKind::identifier), one_percent, {}, reduction, {}, &checkpoint).ok());
+    ASSERT_TRUE(resume_reduction(checkpoint, {{"*", relative(0.02)}}, {}, onward).ok());
     EXPECT_TRUE(std::isinf(onward.report.variables[2].bound.absolute));
     EXPECT_EQ(onward.report.variables[2].kind, VariableKind::identifier);
     EXPECT_LE(onward.report.triangles_after, 4U);

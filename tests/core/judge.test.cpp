@@ -14,8 +14,8 @@
 
 #include "judge/joint_tree.hpp"
 #include "judge/sampling.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "map_certificate.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "modes.hpp"
 #include "promise.hpp"
@@ -57,7 +57,7 @@ protected:
     /// The map of each level proves its errors against the original, with no trust in how it came about.
     static void expect_proofs(const Mesh& mesh, const Levels& levels) {
         for (const Reduction& level : levels.levels) {
-            if (level.map.places.empty()) continue;
+            if (level.map.images.empty()) continue;
             const Certificate certificate(mesh, level);
             EXPECT_THAT(certificate.faults(), testing::IsEmpty());
             expect_errors(certificate.largest_errors(), level);
@@ -146,7 +146,7 @@ TEST_P(LevelsTest, ReportEachLevelAgainstTheOriginal) {
         EXPECT_EQ(level.report.triangles_before, mesh.triangles.size());
         EXPECT_EQ(level.report.triangles_after, level.mesh.triangles.size());
         EXPECT_EQ(level.report.vertices_after, level.vertices.size());
-        EXPECT_EQ(level.report.stopped, Stopped::finished);
+        EXPECT_EQ(level.report.termination, Termination::finished);
         EXPECT_EQ(level.triangle_errors.front().largest.size(), level.mesh.triangles.size());
         std::size_t reasons = level.report.refused.non_manifold + level.report.refused.locked +
                               level.report.refused.ring + level.report.refused.topology + level.report.refused.fold;
@@ -158,10 +158,10 @@ TEST_P(LevelsTest, ReportEachLevelAgainstTheOriginal) {
 TEST_P(LevelsTest, LinkNeighboursWhereAskedTo) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
-        EXPECT_TRUE(levels_of(exhibit.mesh, doubling).links.empty());
+        EXPECT_TRUE(levels_of(exhibit.mesh, doubling).maps.empty());
         const Levels levels = levels_of(exhibit.mesh, doubling, true);
-        const bool tracked = GetParam().options().errors == Errors::tracked;
-        ASSERT_EQ(levels.links.size(), tracked ? doubling.size() - 1 : 0);
+        const bool tracked = GetParam().options().errors == ErrorAccounting::tracked;
+        ASSERT_EQ(levels.maps.size(), tracked ? doubling.size() - 1 : 0);
         expect_all_promises(exhibit.mesh, levels, 5'000);
     }
 }
@@ -171,9 +171,9 @@ TEST_P(LevelsTest, LinksAreMapsWithinTheBoundsOfBothLevelsTogether) {
         for (const std::vector<Bounds>& bounds : {doubling, in_space_alone, to_free}) {
             SCOPED_TRACE(exhibit.name);
             const Levels levels = levels_of(exhibit.mesh, bounds, true);
-            for (std::size_t i = 0; i < levels.links.size(); ++i) {
+            for (std::size_t i = 0; i < levels.maps.size(); ++i) {
                 const Reduction &finer = levels.levels[i], &coarser = levels.levels[i + 1];
-                const LevelLink& link = levels.links[i];
+                const LevelMap& link = levels.maps[i];
                 ASSERT_EQ(link.vertices.size(), coarser.vertices.size());
                 for (std::size_t v = 0; v < link.vertices.size(); ++v)
                     ASSERT_EQ(finer.vertices[link.vertices[v]], coarser.vertices[v]);
@@ -197,17 +197,17 @@ TEST_P(LevelsTest, MakeTheMorphsAskedFor) {
     const Mesh mesh = meshes::gallery()[4].mesh;
     Levels levels;
     ASSERT_TRUE(reduce_levels(mesh, doubling, {GetParam().options(), false, true}, levels).ok());
-    if (GetParam().options().errors == Errors::propagated) {
+    if (GetParam().options().errors == ErrorAccounting::propagated) {
         EXPECT_TRUE(levels.morphs.empty());
         return;
     }
     ASSERT_EQ(levels.morphs.size(), doubling.size());
-    ASSERT_EQ(levels.links.size(), doubling.size() - 1);
+    ASSERT_EQ(levels.maps.size(), doubling.size() - 1);
     for (std::size_t i = 0; i < doubling.size(); ++i) {
         Morph morph;
         const MappedSurfaces surfaces =
             i == 0 ? MappedSurfaces{mesh, levels.levels[0]}
-                   : MappedSurfaces{levels.levels[i - 1].mesh, levels.levels[i].mesh, levels.links[i - 1]};
+                   : MappedSurfaces{levels.levels[i - 1].mesh, levels.levels[i].mesh, levels.maps[i - 1]};
         ASSERT_TRUE(make_morph(surfaces, morph).ok());
         EXPECT_EQ(levels.morphs[i].triangles, morph.triangles);
         EXPECT_TRUE(promise::same_bits(levels.morphs[i].finer.variables[0], morph.finer.variables[0]));
@@ -297,12 +297,12 @@ TEST_P(LevelsProgress, CancelledLeavesTheLevelsSoFar) {
         EXPECT_EQ(call, last_call + 1) << "asked again after it was told to stop";
         if (levels.levels.empty()) continue; // before the first began
         ASSERT_LE(levels.levels.size(), doubling.size());
-        EXPECT_EQ(levels.levels.back().report.stopped, Stopped::cancelled);
+        EXPECT_EQ(levels.levels.back().report.termination, Termination::cancelled);
         for (std::size_t i = 0; i + 1 < levels.levels.size(); ++i) {
-            EXPECT_EQ(levels.levels[i].report.stopped, Stopped::finished);
+            EXPECT_EQ(levels.levels[i].report.termination, Termination::finished);
             EXPECT_TRUE(promise::same_bits(levels.levels[i].mesh, all.levels[i].mesh));
         }
-        EXPECT_LT(levels.links.size(), levels.levels.size());
+        EXPECT_LT(levels.maps.size(), levels.levels.size());
         EXPECT_LT(levels.morphs.size(), levels.levels.size());
         expect_all_promises(mesh, levels, 2'000);
     }

@@ -89,15 +89,15 @@ TEST_P(Locks, ABoxBesideTheSurfaceLocksNothing) {
 TEST_P(Locks, TheReportNamesTheBoxesThatMeetNoTriangle) {
     const Mesh mesh = meshes::plane(8, 8);
     const Box beside{{0, 0, 0.001}, {1, 1, 1}}, away{{5, 5, 5}, {6, 6, 6}}, touching{{-1, -1, -1}, {0, 0, 0}};
-    EXPECT_TRUE(reduce(mesh, {}).report.unmet_boxes.empty());
-    EXPECT_EQ(reduce(mesh, {beside, touching, away}).report.unmet_boxes, (std::vector<std::size_t>{0, 2}));
+    EXPECT_TRUE(reduce(mesh, {}).report.unused_locked_boxes.empty());
+    EXPECT_EQ(reduce(mesh, {beside, touching, away}).report.unused_locked_boxes, (std::vector<std::size_t>{0, 2}));
 
     LevelOptions options{GetParam().options()};
     options.reduction.locked_boxes = {touching, away};
     Levels levels;
     ASSERT_TRUE(reduce_levels(mesh, {promise::percent(1, 1), promise::percent(3, 3)}, options, levels).ok());
     for (const Reduction& level : levels.levels)
-        EXPECT_EQ(level.report.unmet_boxes, std::vector<std::size_t>{1}) << "though nothing is left to lock";
+        EXPECT_EQ(level.report.unused_locked_boxes, std::vector<std::size_t>{1}) << "though nothing is left to lock";
 }
 
 TEST_P(Locks, ABoxAroundEverythingLocksEverything) {

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "map_certificate.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
@@ -110,9 +110,9 @@ TEST_P(Map, CountsTheReducedSurfaceInsideASphereAsNegative) {
 
 TEST(MapOfPropagatedErrors, IsEmpty) {
     Options options;
-    options.errors = Errors::propagated;
+    options.errors = ErrorAccounting::propagated;
     const Reduction reduction = promise::reduced(meshes::sphere(6), promise::percent(3, 3), options);
-    EXPECT_TRUE(reduction.map.places.empty());
+    EXPECT_TRUE(reduction.map.images.empty());
     EXPECT_TRUE(reduction.map.crossings.empty());
     EXPECT_TRUE(reduction.vertex_errors.empty());
 }
@@ -152,8 +152,8 @@ TEST(MapCertificate, FindsWhatIsTamperedWith) {
     EXPECT_THAT(Certificate(mesh, swapped).faults(), testing::Not(testing::IsEmpty()));
 
     Reduction moved = sound;
-    for (std::uint32_t v = 0; v < moved.map.places.size(); ++v) {
-        glm::dvec3& w = moved.map.places[v].barycentric;
+    for (std::uint32_t v = 0; v < moved.map.images.size(); ++v) {
+        glm::dvec3& w = moved.map.images[v].barycentric;
         if (std::min({w.x, w.y, w.z}) > 0.1) std::swap(w.x, w.y);
     }
     EXPECT_THAT(Certificate(mesh, moved).faults(), testing::IsEmpty()) << "still continuous";

@@ -16,9 +16,9 @@
 namespace certificate {
 
 using meshbound::MapCrossing;
-using meshbound::MapPlace;
 using meshbound::Mesh;
 using meshbound::Reduction;
+using meshbound::SurfacePoint;
 using meshbound::VariableView;
 using Edge = std::pair<std::uint32_t, std::uint32_t>; // lower vertex first
 
@@ -88,8 +88,8 @@ public:
     std::vector<double> largest_errors() const {
         std::vector<double> errors(1 + mesh_.variables.size(), 0);
         for (std::size_t i = 0; i < errors.size(); ++i) {
-            for (std::uint32_t v = 0; v < reduction_.map.places.size(); ++v)
-                if (reduction_.map.places[v].triangle != meshbound::nowhere)
+            for (std::uint32_t v = 0; v < reduction_.map.images.size(); ++v)
+                if (reduction_.map.images[v].triangle != meshbound::nowhere)
                     errors[i] = std::max(errors[i], error_at_vertex(i, v));
             for (const MapCrossing& crossing : reduction_.map.crossings)
                 errors[i] = std::max(errors[i], error_at_crossing(i, crossing));
@@ -98,7 +98,7 @@ public:
     }
 
     double error_at_vertex(std::size_t variable, std::uint32_t vertex) const {
-        const MapPlace& place = reduction_.map.places[vertex];
+        const SurfacePoint& place = reduction_.map.images[vertex];
         const glm::uvec3& t = reduction_.mesh.triangles[place.triangle];
         return length(variable, [&](int c) {
             double mapped = 0;
@@ -133,7 +133,7 @@ private:
 
     /// The reduced triangles that contain the image of a vertex: one inside, two on an edge, the star of a kept one.
     std::set<std::uint32_t> triangles_at(std::uint32_t vertex) const {
-        const MapPlace& place = reduction_.map.places[vertex];
+        const SurfacePoint& place = reduction_.map.images[vertex];
         std::set<std::uint32_t> found = {place.triangle};
         const glm::uvec3& t = reduction_.mesh.triangles[place.triangle];
         if (const auto kept = kept_.find(vertex); kept != kept_.end())
@@ -157,9 +157,9 @@ private:
     void check_places(std::vector<std::string>& faults) const {
         std::set<std::uint32_t> used;
         for (const glm::uvec3& t : mesh_.triangles) used.insert({t.x, t.y, t.z});
-        if (reduction_.map.places.size() != vertex_count(mesh_)) faults.push_back("not one place a vertex");
-        for (std::uint32_t v = 0; v < reduction_.map.places.size(); ++v) {
-            const MapPlace& place = reduction_.map.places[v];
+        if (reduction_.map.images.size() != vertex_count(mesh_)) faults.push_back("not one place a vertex");
+        for (std::uint32_t v = 0; v < reduction_.map.images.size(); ++v) {
+            const SurfacePoint& place = reduction_.map.images[v];
             if (!used.count(v) && place.triangle == meshbound::nowhere) continue;
             if (!used.count(v) || place.triangle >= reduction_.mesh.triangles.size()) {
                 faults.push_back(named("a wrong triangle for vertex ", v));
@@ -173,7 +173,7 @@ private:
         }
     }
 
-    bool is_at_corner(const MapPlace& place, std::uint32_t reduced_vertex) const {
+    bool is_at_corner(const SurfacePoint& place, std::uint32_t reduced_vertex) const {
         const glm::uvec3& t = reduction_.mesh.triangles[place.triangle];
         for (int i = 0; i < 3; ++i)
             if (t[i] == reduced_vertex && place.barycentric[i] == 1) return true;
@@ -227,7 +227,7 @@ private:
     }
 
     bool lies_on(std::uint32_t vertex, const Edge& reduced) const {
-        const MapPlace& place = reduction_.map.places[vertex];
+        const SurfacePoint& place = reduction_.map.images[vertex];
         const glm::uvec3& t = reduction_.mesh.triangles[place.triangle];
         double on = 0;
         for (int i = 0; i < 3; ++i)

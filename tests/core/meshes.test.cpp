@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "meshbound/validate.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/ply.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
@@ -77,9 +77,9 @@ TEST(Meshes, AreOddInTheirOwnWay) {
     meshes::add_usual_fields(sphere);
     const Mesh degenerate = meshes::with_degenerate_triangles(sphere);
     EXPECT_EQ(topology(degenerate), topology(sphere));
-    meshbound::Oddities oddities;
-    ASSERT_TRUE(meshbound::validate(degenerate, &oddities).ok());
-    EXPECT_GT(oddities.zero_area_triangles, 10U);
+    meshbound::MeshDefects defects;
+    ASSERT_TRUE(meshbound::validate(degenerate, &defects).ok());
+    EXPECT_GT(defects.zero_area_triangles, 10U);
 }
 
 TEST(Meshes, ComeBackFromAPlyFile) {

@@ -21,16 +21,16 @@ inline std::ostream& operator<<(std::ostream& out, const Mode& mode) { return ou
 /// The ways that keep the map from the original.
 inline std::vector<Mode> tracked_modes() {
     Mode chosen{"Tracked", {}}, unchosen{"TrackedAsLaidOut", {}};
-    chosen.reduction.errors = unchosen.reduction.errors = meshbound::Errors::tracked;
-    unchosen.reduction.choose_places = unchosen.reduction.choose_crossings = false;
+    chosen.reduction.errors = unchosen.reduction.errors = meshbound::ErrorAccounting::tracked;
+    unchosen.reduction.optimize_vertex_images = unchosen.reduction.optimize_edge_crossings = false;
     return {chosen, unchosen};
 }
 
 inline std::vector<Mode> modes() {
     Mode maximum{"PropagatedMaximum", {}}, introduced{"PropagatedIntroduced", {}};
-    maximum.reduction.errors = introduced.reduction.errors = meshbound::Errors::propagated;
-    maximum.reduction.cost = meshbound::Cost::maximum;
-    introduced.reduction.cost = meshbound::Cost::introduced;
+    maximum.reduction.errors = introduced.reduction.errors = meshbound::ErrorAccounting::propagated;
+    maximum.reduction.cost = meshbound::RetriangulationCost::maximum;
+    introduced.reduction.cost = meshbound::RetriangulationCost::introduced;
     std::vector<Mode> all = tracked_modes();
     all.insert(all.begin(), {maximum, introduced});
     return all;

@@ -12,9 +12,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
@@ -70,7 +70,7 @@ protected:
                 visit(Step{mesh, mesh, coarser, {mesh, coarser}, nullptr});
             } else {
                 const Mesh& finer = levels.levels[i - 1].mesh;
-                visit(Step{mesh, finer, coarser, {finer, coarser.mesh, levels.links[i - 1]}, &levels.levels[i - 1]});
+                visit(Step{mesh, finer, coarser, {finer, coarser.mesh, levels.maps[i - 1]}, &levels.levels[i - 1]});
             }
         }
     }
@@ -123,7 +123,7 @@ protected:
         for (std::size_t n = 0; n < morph.triangles.size(); ++n) {
             const glm::uvec3& host = level.triangles.at(end.triangles[n]);
             for (int corner = 0; corner < 3; ++corner) {
-                const MorphPlace& place = end.places.at(morph.triangles[n][corner]);
+                const MorphPoint& place = end.points.at(morph.triangles[n][corner]);
                 double inside = 0;
                 for (int i = 0; i < 3; ++i) {
                     ASSERT_GE(place.weights[i], 0);
@@ -274,19 +274,19 @@ TEST(Morph, AsLaidOutOfAPlaneHasNoFolds) {
     Mesh mesh = meshes::jittered(meshes::plane(20, 20), 0.01, 3);
     meshes::add_usual_fields(mesh);
     LevelOptions options;
-    options.reduction.choose_places = options.reduction.choose_crossings = false;
-    options.links = true;
+    options.reduction.optimize_vertex_images = options.reduction.optimize_edge_crossings = false;
+    options.maps = true;
     Levels levels;
     ASSERT_TRUE(reduce_levels(mesh, {promise::percent(1, 3), promise::percent(2, 6)}, options, levels).ok());
     Morph morph;
-    ASSERT_TRUE(make_morph({levels.levels[0].mesh, levels.levels[1].mesh, levels.links[0]}, morph).ok());
+    ASSERT_TRUE(make_morph({levels.levels[0].mesh, levels.levels[1].mesh, levels.maps[0]}, morph).ok());
     EXPECT_EQ(morph.folded_triangles, 0U);
     EXPECT_EQ(morph.folded_share, 0);
 }
 
 TEST(Morph, OfPropagatedErrorsIsEmpty) {
     Options options;
-    options.errors = Errors::propagated;
+    options.errors = ErrorAccounting::propagated;
     const Mesh mesh = meshes::sphere(6);
     Morph morph;
     ASSERT_TRUE(make_morph({mesh, promise::reduced(mesh, promise::percent(3, 3), options)}, morph).ok());

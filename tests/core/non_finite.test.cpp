@@ -41,7 +41,7 @@ Mesh with_holes(int components = 1) {
     return mesh;
 }
 
-const Bounds holes_free = {{"position", relative(0.02)}, {"holes", free_of_bound()}, {"*", relative(0.05)}};
+const Bounds holes_free = {{"position", relative(0.02)}, {"holes", unbounded()}, {"*", relative(0.05)}};
 
 class NonFiniteTest : public ModeTest {};
 EVERY_MODE(NonFiniteTest);
@@ -113,7 +113,7 @@ TEST(NonFinite, ItIsNoMultiplierOfTheBounds) {
     meshes::add_scalar(mesh, "focus", [](const glm::dvec3&) { return 1.0; });
     std::get<std::vector<double>>(mesh.variables[1].values)[5] = infinity;
     Options options;
-    options.focus = "focus";
+    options.bound_multiplier = "focus";
     Reduction reduction;
     const Status status = reduce(mesh, {{"position", relative(0.02)}}, options, reduction);
     EXPECT_EQ(status.fault, Fault::non_finite_value);
@@ -132,13 +132,13 @@ TEST(NonFinite, NumbersFartherApartThanADoubleHoldsAreCarriedAlongToo) {
 
 TEST(NonFinite, OnwardItStaysFreeAndUnknown) {
     Reduction reduction, onward;
-    Waypoint waypoint;
-    ASSERT_TRUE(reduce(with_holes(), holes_free, {}, reduction, {}, &waypoint).ok());
-    const Bounds looser = {{"position", relative(0.04)}, {"holes", free_of_bound()}, {"*", relative(0.1)}};
-    ASSERT_TRUE(reduce_onward(waypoint, looser, {}, onward).ok());
+    Checkpoint checkpoint;
+    ASSERT_TRUE(reduce(with_holes(), holes_free, {}, reduction, {}, &checkpoint).ok());
+    const Bounds looser = {{"position", relative(0.04)}, {"holes", unbounded()}, {"*", relative(0.1)}};
+    ASSERT_TRUE(resume_reduction(checkpoint, looser, {}, onward).ok());
     EXPECT_TRUE(std::isnan(onward.report.variables[1].error));
     EXPECT_TRUE(std::isfinite(onward.report.variables[2].error));
-    const Status status = reduce_onward(waypoint, {{"*", relative(0.1)}}, {}, onward);
+    const Status status = resume_reduction(checkpoint, {{"*", relative(0.1)}}, {}, onward);
     EXPECT_EQ(status.fault, Fault::non_finite_value);
     EXPECT_EQ(status.variable, "holes");
     EXPECT_EQ(status.index, 7U) << "of the original";

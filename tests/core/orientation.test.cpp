@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
@@ -24,9 +24,9 @@ using namespace meshbound;
 
 class Orientation : public ModeTest {
 protected:
-    Reduction reduce(const Mesh& mesh, bool drop_small_parts = false) const {
+    Reduction reduce(const Mesh& mesh, bool drop_small_components = false) const {
         Options options = GetParam().options();
-        options.drop_small_parts = drop_small_parts;
+        options.drop_small_components = drop_small_components;
         return promise::reduced(mesh, promise::percent(3, 10), options);
     }
 };
@@ -56,8 +56,8 @@ std::size_t turn_some(Mesh& mesh, double share, std::uint64_t seed) {
 TEST_P(Orientation, OneTriangleTheWrongWayRoundIsTurned) {
     const Mesh mesh = with_fields(meshes::one_triangle_reversed(8));
     const Reduction reduction = reduce(mesh);
-    EXPECT_EQ(reduction.report.oddities.turned_triangles, 1U);
-    EXPECT_EQ(reduction.report.oddities.unorientable_parts, 0U);
+    EXPECT_EQ(reduction.report.defects.flipped_triangles, 1U);
+    EXPECT_EQ(reduction.report.defects.unorientable_components, 0U);
     EXPECT_EQ(reduction.report.non_manifold_vertices, 0U);
     promise::expect_everything(with_fields(meshes::plane(8, 8)), reduction);
 }
@@ -68,7 +68,7 @@ TEST_P(Orientation, ADisorderedSurfaceIsReducedAsIfItWereInOrder) {
         Mesh disordered = mesh;
         const std::size_t turned = turn_some(disordered, 0.3, 7);
         const Reduction reduction = reduce(disordered);
-        EXPECT_EQ(reduction.report.oddities.turned_triangles, turned);
+        EXPECT_EQ(reduction.report.defects.flipped_triangles, turned);
         promise::expect_everything(mesh, reduction);
         EXPECT_EQ(meshes::topology(reduction.mesh).discordant_edges, 0U);
         const std::size_t in_order = reduce(mesh).mesh.triangles.size();
@@ -91,7 +91,7 @@ TEST_P(Orientation, EachPartFacesAsMostOfItsTrianglesDo) {
 TEST_P(Orientation, ASurfaceInOrderStaysAsItIsWhicheverSideItFaces) {
     for (const Mesh& mesh : {with_fields(meshes::sphere(8)), meshes::reversed(with_fields(meshes::sphere(8)))}) {
         const Reduction reduction = reduce(mesh);
-        EXPECT_EQ(reduction.report.oddities.turned_triangles, 0U);
+        EXPECT_EQ(reduction.report.defects.flipped_triangles, 0U);
         EXPECT_GT(meshes::enclosed_volume(mesh) * meshes::enclosed_volume(reduction.mesh), 0);
     }
 }
@@ -118,9 +118,9 @@ TEST_P(Orientation, WhatHasNoTwoSidesIsLeftAsItIsAndSaid) {
     mesh = with_fields(mesh);
     std::swap(mesh.triangles[3].x, mesh.triangles[3].y); // of the ball
     const Reduction reduction = reduce(mesh);
-    EXPECT_EQ(reduction.report.oddities.turned_triangles, 1U);
-    EXPECT_EQ(reduction.report.oddities.unorientable_parts, 1U);
-    EXPECT_EQ(reduction.report.oddities.unorientable_triangle, of_ball);
+    EXPECT_EQ(reduction.report.defects.flipped_triangles, 1U);
+    EXPECT_EQ(reduction.report.defects.unorientable_components, 1U);
+    EXPECT_EQ(reduction.report.defects.unorientable_triangle, of_ball);
     promise::expect_judge_agrees(mesh, reduction);
     EXPECT_GT(meshes::topology(reduction.mesh).discordant_edges, 0U);
     EXPECT_EQ(meshes::topology(reduction.mesh).euler, meshes::topology(mesh).euler);
@@ -132,14 +132,14 @@ TEST_P(Orientation, ADisorderedBandIsReducedLikeOneInOrder) {
     Mesh disordered = band;
     turn_some(disordered, 0.3, 7);
     const Reduction reduction = reduce(disordered);
-    EXPECT_EQ(reduction.report.oddities.unorientable_parts, 1U);
-    EXPECT_GT(reduction.report.oddities.turned_triangles, 0U);
+    EXPECT_EQ(reduction.report.defects.unorientable_components, 1U);
+    EXPECT_GT(reduction.report.defects.flipped_triangles, 0U);
     promise::expect_judge_agrees(band, reduction);
     EXPECT_EQ(meshes::topology(reduction.mesh).euler, meshes::topology(band).euler);
     EXPECT_EQ(meshes::topology(reduction.mesh).boundary_loops, 1U);
     const std::size_t in_order = reduce(band).mesh.triangles.size();
     EXPECT_LT(double(reduction.mesh.triangles.size()), 1.5 * double(in_order)) << "the line is no straight one";
-    EXPECT_EQ(reduce(band).report.oddities.turned_triangles, 0U) << "it is in as good an order as can be";
+    EXPECT_EQ(reduce(band).report.defects.flipped_triangles, 0U) << "it is in as good an order as can be";
 }
 
 TEST_P(Orientation, TrianglesWithAVertexTwiceStandInNobodysWay) {
@@ -148,7 +148,7 @@ TEST_P(Orientation, TrianglesWithAVertexTwiceStandInNobodysWay) {
     const glm::uvec3 t = mesh.triangles[20];
     mesh.triangles.insert(mesh.triangles.begin(), {t.x, t.x, t.y});
     const Reduction reduction = reduce(mesh);
-    EXPECT_EQ(reduction.report.oddities.turned_triangles, 1U);
+    EXPECT_EQ(reduction.report.defects.flipped_triangles, 1U);
     promise::expect_everything(with_fields(meshes::plane(8, 8)), reduction);
 }
 
@@ -166,11 +166,11 @@ Mesh with_crumbs() {
 TEST_P(Orientation, SmallPartsGoOnlyWhenAskedForAndAreCounted) {
     const Mesh mesh = with_crumbs();
     const Reduction all = reduce(mesh);
-    EXPECT_EQ(all.report.dropped.parts, 0U);
+    EXPECT_EQ(all.report.dropped.components, 0U);
     promise::expect_everything(mesh, all);
 
     const Reduction reduction = reduce(mesh, true);
-    EXPECT_EQ(reduction.report.dropped.parts, 2U);
+    EXPECT_EQ(reduction.report.dropped.components, 2U);
     EXPECT_EQ(reduction.report.dropped.triangles, 2 * meshes::sphere(2).triangles.size());
     Mesh rest = mesh;
     std::erase_if(rest.triangles, [&](const glm::uvec3& t) {
@@ -183,14 +183,14 @@ TEST_P(Orientation, SmallPartsGoOnlyWhenAskedForAndAreCounted) {
 TEST_P(Orientation, SmallPartsThatAreLockedOrOneWithALargerOneStay) {
     Mesh mesh = with_crumbs();
     Options options = GetParam().options();
-    options.drop_small_parts = true;
+    options.drop_small_components = true;
     options.locked = {static_cast<std::uint32_t>(vertex_count(meshes::sphere(10)))}; // of the first crumb
-    EXPECT_EQ(promise::reduced(mesh, promise::percent(3, 10), options).report.dropped.parts, 1U);
+    EXPECT_EQ(promise::reduced(mesh, promise::percent(3, 10), options).report.dropped.components, 1U);
 
     // Everything is smaller than the bound: the largest part stays.
     options.locked.clear();
     const Reduction one = promise::reduced(mesh, {{"position", relative(2)}}, options);
-    EXPECT_EQ(one.report.dropped.parts, 3U);
+    EXPECT_EQ(one.report.dropped.components, 3U);
     EXPECT_GE(one.mesh.triangles.size(), 4U);
 
     // A scrap of a seamed surface: its vertices are its own, its places are not.
@@ -198,13 +198,13 @@ TEST_P(Orientation, SmallPartsThatAreLockedOrOneWithALargerOneStay) {
     const Mesh scrap = meshes::cut(seamed, [](glm::dvec3 p) { return p.x < 0.02 + 0.1 && p.y < 0.1; });
     const Mesh rest = meshes::cut(seamed, [](glm::dvec3 p) { return !(p.x < 0.02 + 0.1 && p.y < 0.1); });
     const Reduction seams = promise::reduced(meshes::joined(rest, scrap), {{"position", relative(0.2)}}, options);
-    EXPECT_EQ(seams.report.dropped.parts, 0U);
+    EXPECT_EQ(seams.report.dropped.components, 0U);
 }
 
 TEST_P(Orientation, SmallPartsStayAwayInEveryLevel) {
     const Mesh mesh = with_crumbs();
     LevelOptions how{GetParam().options(), true, true};
-    how.reduction.drop_small_parts = true;
+    how.reduction.drop_small_components = true;
     Levels levels;
     ASSERT_TRUE(reduce_levels(mesh, {promise::percent(3, 10), promise::percent(6, 20)}, how, levels).ok());
     for (const Reduction& level : levels.levels) EXPECT_EQ(meshes::topology(level.mesh).components, 2U);
@@ -212,9 +212,9 @@ TEST_P(Orientation, SmallPartsStayAwayInEveryLevel) {
 
 TEST_P(Orientation, SmallPartsNeedABoundToBeSmallerThan) {
     LevelOptions how{GetParam().options()};
-    how.reduction.drop_small_parts = true;
+    how.reduction.drop_small_components = true;
     const Mesh mesh = with_crumbs();
-    const Bounds bounded = promise::percent(3, 10), free = {{"*", relative(0.1)}, {"position", free_of_bound()}};
+    const Bounds bounded = promise::percent(3, 10), free = {{"*", relative(0.1)}, {"position", unbounded()}};
     Reduction reduction;
     const Status status = meshbound::reduce(mesh, free, how.reduction, reduction);
     EXPECT_EQ(status.fault, Fault::bad_option);

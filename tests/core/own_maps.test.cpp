@@ -69,14 +69,14 @@ TEST_P(OwnMaps, AreTakenOfFourLevels) {
             const Status status = reduce_levels(mesh, bounds, {GetParam().options(), true}, levels);
             ASSERT_TRUE(status.ok()) << status.message;
             expect_taken({mesh, levels.levels[0]});
-            for (std::size_t i = 0; i < levels.links.size(); ++i) {
+            for (std::size_t i = 0; i < levels.maps.size(); ++i) {
                 SCOPED_TRACE("to level " + std::to_string(i + 1));
                 const Mesh &finer = levels.levels[i].mesh, &coarser = levels.levels[i + 1].mesh;
-                expect_taken({finer, coarser, levels.links[i]});
+                expect_taken({finer, coarser, levels.maps[i]});
                 Reduction between;
                 between.mesh = coarser;
-                between.vertices = levels.links[i].vertices;
-                between.map = levels.links[i].map;
+                between.vertices = levels.maps[i].vertices;
+                between.map = levels.maps[i].map;
                 expect_certified(finer, between);
                 expect_certified(mesh, levels.levels[i + 1]);
             }

@@ -53,7 +53,7 @@ TEST_P(NearLobesTest, DoNotPierceWhereThatIsRefused) {
 TEST_P(NearLobesTest, DoNotPierceInAnyLevel) {
     LevelOptions options;
     options.reduction.refuse_piercing = true;
-    options.links = true;
+    options.maps = true;
     Levels levels;
     const Status status =
         reduce_levels(GetParam().mesh, {promise::percent(0.5, 1), promise::percent(2, 4)}, options, levels);

@@ -46,7 +46,7 @@ TEST_P(ProgressTest, RisesToOne) {
     EXPECT_GE(values.front(), 0);
     EXPECT_LT(values.front(), 0.5);
     EXPECT_EQ(values.back(), 1);
-    EXPECT_EQ(reduction.report.stopped, Stopped::finished);
+    EXPECT_EQ(reduction.report.termination, Termination::finished);
 }
 
 TEST_P(ProgressTest, ChangesNothing) {
@@ -67,7 +67,7 @@ TEST_P(ProgressTest, CancellingAtAnyTimeLeavesAValidResult) {
         const Status status = reduce(reduction, [&](double) { return call++ < last_call; });
         EXPECT_TRUE(status.ok()) << status.message;
         EXPECT_EQ(call, last_call + 1) << "asked again after it was told to stop";
-        EXPECT_EQ(reduction.report.stopped, Stopped::cancelled);
+        EXPECT_EQ(reduction.report.termination, Termination::cancelled);
         EXPECT_GE(reduction.mesh.triangles.size(), finished.mesh.triangles.size());
         EXPECT_EQ(reduction.report.triangles_after, reduction.mesh.triangles.size());
         promise::expect_everything(mesh, reduction, 2'000);

@@ -50,7 +50,7 @@ TEST_P(Promise, RemovesSomething) {
 Bound random_bound(meshes::Random& random) {
     const double fraction = std::pow(10.0, random.uniform(-5, 0.3));
     switch (random.below(4)) {
-    case 0: return free_of_bound();
+    case 0: return unbounded();
     case 1: return absolute(fraction);
     default: return relative(fraction);
     }

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
@@ -88,7 +88,7 @@ TEST_P(ReportTest, AgreesWithItselfOverEveryKindOfSurface) {
         EXPECT_EQ(report.vertices_before, vertex_count(exhibit.mesh));
         EXPECT_EQ(report.triangles_after, reduction.mesh.triangles.size());
         EXPECT_EQ(report.vertices_after, reduction.vertices.size());
-        EXPECT_EQ(report.stopped, Stopped::finished);
+        EXPECT_EQ(report.termination, Termination::finished);
         EXPECT_EQ(report.non_manifold_vertices, 0U);
         ASSERT_EQ(report.variables.size(), 1 + exhibit.mesh.variables.size());
         EXPECT_EQ(report.variables[0].name, "position");
@@ -172,7 +172,7 @@ TEST_P(ReportTest, SaysHowMuchOfEachRegionIsLeft) {
             mesh.regions.push_back(t >= on_plane ? 9 : x < 1 ? 5 : -2);
         }
         Options options = GetParam().options();
-        options.drop_small_parts = true;
+        options.drop_small_components = true;
         const Report report = promise::reduced(mesh, {{"position", relative(0.01)}}, options).report;
         ASSERT_EQ(report.regions.size(), 3U);
         const RegionReport &right = report.regions[0], &left = report.regions[1], &crumb = report.regions[2];

@@ -15,9 +15,9 @@
 
 #include "mesh/orientation.hpp"
 #include "meshbound/segmentation.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
@@ -34,9 +34,9 @@ constexpr double rounding = 1e-9;
 
 Options choosing(bool places, bool crossings) {
     Options options;
-    options.errors = Errors::tracked;
-    options.choose_places = places;
-    options.choose_crossings = crossings;
+    options.errors = ErrorAccounting::tracked;
+    options.optimize_vertex_images = places;
+    options.optimize_edge_crossings = crossings;
     return options;
 }
 
@@ -79,7 +79,7 @@ public:
                 ASSERT_GE(std::min({w.x, w.y, w.z}), -rounding) << name(cell, corner);
             }
             if (corner >= vertices() || is_kept(corner)) return;
-            const MapPlace& place = reduction_.map.places[corner];
+            const SurfacePoint& place = reduction_.map.images[corner];
             if (place.triangle == cell.reduced) return;
             // Where sheets meet, a place is in a triangle of each of them: on an edge that they share.
             const glm::uvec3 &named = reduction_.mesh.triangles[place.triangle],
@@ -236,10 +236,10 @@ private:
         return std::binary_search(reduction_.vertices.begin(), reduction_.vertices.end(), vertex);
     }
     glm::dvec3 in_original(const SegmentationCell& cell, std::uint32_t corner) const {
-        return place_in_original({mesh_, reduction_}, cell, corner);
+        return barycentric_in_original({mesh_, reduction_}, cell, corner);
     }
     glm::dvec3 in_reduced(const SegmentationCell& cell, std::uint32_t corner) const {
-        return place_in_reduced({mesh_, reduction_}, cell, corner);
+        return barycentric_in_reduced({mesh_, reduction_}, cell, corner);
     }
     static std::string name(const SegmentationCell& cell, std::uint32_t corner) {
         return "corner " + std::to_string(corner) + " of triangle " + std::to_string(cell.original);
@@ -344,7 +344,7 @@ TEST(Segmentation, IsTheMeshItselfWhereNothingWasRemoved) {
 
 TEST(Segmentation, OfPropagatedErrorsIsEmpty) {
     Options options;
-    options.errors = Errors::propagated;
+    options.errors = ErrorAccounting::propagated;
     const Segmented none(meshes::sphere(6), promise::percent(3, 3), options);
     EXPECT_TRUE(none.segmentation().cells.empty());
     EXPECT_TRUE(none.segmentation().pieces.empty());

@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/near_lobes.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
@@ -57,11 +57,11 @@ void expect_same(const TriangleErrors& one, const TriangleErrors& other) {
 }
 
 void expect_same(const SurfaceMap& one, const SurfaceMap& other) {
-    ASSERT_EQ(one.places.size(), other.places.size());
+    ASSERT_EQ(one.images.size(), other.images.size());
     ASSERT_EQ(one.crossings.size(), other.crossings.size());
-    for (std::size_t i = 0; i < one.places.size(); ++i) {
-        ASSERT_EQ(one.places[i].triangle, other.places[i].triangle);
-        ASSERT_EQ(one.places[i].barycentric, other.places[i].barycentric);
+    for (std::size_t i = 0; i < one.images.size(); ++i) {
+        ASSERT_EQ(one.images[i].triangle, other.images[i].triangle);
+        ASSERT_EQ(one.images[i].barycentric, other.images[i].barycentric);
     }
     for (std::size_t i = 0; i < one.crossings.size(); ++i) {
         const MapCrossing &a = one.crossings[i], &b = other.crossings[i];
@@ -140,7 +140,7 @@ TEST_P(ThreadsTest, CancelledTheyLeaveAValidResult) {
         const Status status =
             reduce(given.mesh, given.bounds, options, reduction, [at](double value) { return value < at; });
         EXPECT_TRUE(status.ok());
-        EXPECT_EQ(reduction.report.stopped, Stopped::cancelled);
+        EXPECT_EQ(reduction.report.termination, Termination::cancelled);
         promise::expect_everything(given.mesh, reduction, 2'000);
     }
 }
@@ -164,7 +164,7 @@ TEST(ThreadsOfEverythingKeptTest, AnyNumberGivesTheSameBytes) {
     for (const glm::uvec3& t : mesh.triangles) mesh.regions.push_back(meshes::point(mesh, t.x).y < 0.4 ? 1 : 2);
     const Case given{"terrain", mesh, {{"position", relative(0.02)}}};
     Options options;
-    options.focus = "fineness";
+    options.bound_multiplier = "fineness";
     options.locked_boxes = {{{0.1, 0.1, -9}, {0.2, 0.2, 9}}};
     for (const bool refuse : {false, true}) {
         options.refuse_piercing = refuse;
@@ -193,8 +193,8 @@ TEST(ThreadsOfLevelsTest, AnyNumberGivesTheSameLevelsAndMorphs) {
         expect_same(alone.levels[i], together.levels[i]);
         EXPECT_EQ(alone.morphs[i].triangles, together.morphs[i].triangles);
     }
-    ASSERT_EQ(alone.links.size(), together.links.size());
-    for (std::size_t i = 0; i < alone.links.size(); ++i) expect_same(alone.links[i].map, together.links[i].map);
+    ASSERT_EQ(alone.maps.size(), together.maps.size());
+    for (std::size_t i = 0; i < alone.maps.size(); ++i) expect_same(alone.maps[i].map, together.maps[i].map);
 }
 
 TEST(ThreadPoolTest, DoesEachTaskOnce) {

@@ -77,10 +77,10 @@ TEST(UnusedVertices, AVariableThatIsConstantWhereTrianglesAreIsConstant) {
 
 TEST(UnusedVertices, AreCountedAndNeverRefused) {
     for (const double stray : strays) {
-        Oddities oddities;
-        ASSERT_TRUE(validate(with_strays(bumpy(), stray), &oddities).ok());
-        EXPECT_EQ(oddities.unused_vertices, 2U);
-        EXPECT_EQ(oddities.repeated_vertex_triangles, 1U);
+        MeshDefects defects;
+        ASSERT_TRUE(validate(with_strays(bumpy(), stray), &defects).ok());
+        EXPECT_EQ(defects.unused_vertices, 2U);
+        EXPECT_EQ(defects.repeated_vertex_triangles, 1U);
     }
 }
 
@@ -109,7 +109,7 @@ TEST_P(UnusedVerticesTest, ChangeNothingOfTheResult) { expect_same_result(bumpy(
 
 TEST_P(UnusedVerticesTest, ChangeNothingWhereTheBoundsAreMultiplied) {
     Options options = GetParam().options();
-    options.focus = "focus";
+    options.bound_multiplier = "focus";
     const Mesh mesh = bumpy(true);
     const Reduction expected = promise::reduced(mesh, bounds, options);
     for (const double stray : strays)
@@ -119,7 +119,7 @@ TEST_P(UnusedVerticesTest, ChangeNothingWhereTheBoundsAreMultiplied) {
 
 TEST_P(UnusedVerticesTest, ChangeNothingOfWhatIsKeptOrLeftOut) {
     Options options = GetParam().options();
-    options.drop_small_parts = options.refuse_piercing = options.limit_to_feature_size = true;
+    options.drop_small_components = options.refuse_piercing = options.limit_to_feature_size = true;
     options.locked_boxes = {{{0, 0, -9}, {0.1, 0.1, 9}}};
     Mesh mesh = bumpy();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.regions.push_back(t % 2 ? 1 : 2);
@@ -130,7 +130,7 @@ TEST(UnusedVertices, AreMetByNoBox) {
     Options options;
     options.locked_boxes = {{{-6e6, -6e6, -6e6}, {-4e6, -4e6, -4e6}}};
     const Reduction reduction = promise::reduced(with_strays(bumpy(), -5e6), bounds, options);
-    EXPECT_EQ(reduction.report.unmet_boxes, (std::vector<std::size_t>{0}));
+    EXPECT_EQ(reduction.report.unused_locked_boxes, (std::vector<std::size_t>{0}));
 }
 
 TEST(UnusedVertices, ChangeNoLevelAndNoMorph) {

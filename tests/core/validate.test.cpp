@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "meshbound/meshbound.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "promise.hpp"
 
@@ -114,7 +114,7 @@ TEST(Validate, ValuesFartherApartThanADoubleHolds) {
     const Status position = fault_of([](Input& input) {
         doubles(input.mesh.position)[0] = largest;
         doubles(input.mesh.position)[3] = -largest;
-        input.bounds = {{"*", free_of_bound()}};
+        input.bounds = {{"*", unbounded()}};
     });
     EXPECT_EQ(position.fault, Fault::non_finite_position);
 }
@@ -258,11 +258,11 @@ TEST(Validate, CountsOddities) {
     mesh.triangles.push_back({0, 0, 1});
     mesh.triangles.push_back({2, 2, 2});
     mesh.triangles.push_back({0, 1, 2});
-    Oddities oddities;
-    EXPECT_TRUE(validate(mesh, &oddities).ok());
-    EXPECT_EQ(oddities.unused_vertices, 2U);
-    EXPECT_EQ(oddities.repeated_vertex_triangles, 2U);
-    EXPECT_EQ(oddities.zero_area_triangles, 1U);
+    MeshDefects defects;
+    EXPECT_TRUE(validate(mesh, &defects).ok());
+    EXPECT_EQ(defects.unused_vertices, 2U);
+    EXPECT_EQ(defects.repeated_vertex_triangles, 2U);
+    EXPECT_EQ(defects.zero_area_triangles, 1U);
 }
 
 TEST(Validate, FindsNoFaultInOddMeshes) {
@@ -285,11 +285,8 @@ TEST(ResolvedBounds, AreTakenFromTheExtent) {
 TEST(ResolvedBounds, TheLaterOfTwoEntriesHoldsAndNamesWinOverTheStar) {
     const Input input;
     std::vector<ResolvedBound> resolved;
-    const Bounds bounds = {{"heat", absolute(1)},
-                           {"heat", absolute(2)},
-                           {"*", absolute(3)},
-                           {"*", absolute(4)},
-                           {"wind", free_of_bound()}};
+    const Bounds bounds = {
+        {"heat", absolute(1)}, {"heat", absolute(2)}, {"*", absolute(3)}, {"*", absolute(4)}, {"wind", unbounded()}};
     ASSERT_TRUE(resolve_bounds(input.mesh, bounds, resolved).ok());
     EXPECT_EQ(resolved[0].absolute, 4);
     EXPECT_EQ(resolved[1].absolute, 2);

@@ -73,7 +73,7 @@ test('what attributes say, properties say too, and the view shows', async ({ pag
 const keptAttributes: [attribute: string, property: string, value: string, says: RegExp][] = [
   ['lock-points', 'lockPoints', '3,100-900', /proved/],
   ['lock-box', 'lockBox', '0,-30,-30,30,30,30', /proved/],
-  ['focus-variable', 'focusVariable', 'temperature', /times the multiplier there: proved/],
+  ['bound-multiplier', 'boundMultiplier', 'temperature', /times the multiplier there: proved/],
   ['focus-point', 'focusPoint', '0,0,0,20,0.2', /times the multiplier there: proved/],
 ];
 
@@ -114,11 +114,11 @@ test('what cannot be kept is said, and what was shown stays', async ({ page }) =
     ['lock-points', '3,x', /lock-points cannot be “3,x”: “x” is no point and no range of points/],
     ['lock-points', '0-4294967294', /There is no point 4294967294 to lock: the surface has \d+, counted from 0/],
     ['lock-box', '1,2,3', /lock-box cannot be “1,2,3”: a box has six numbers/],
-    ['focus-point', '0,0,0,1,7', /factor of a focus must be above zero and at most 1/],
+    ['focus-point', '0,0,0,1,7', /factor of a focus point must be above zero and at most 1/],
     ['lock-regions', 'all', /“all” is not the number of a region/],
     ['regions', 'material', /no cell data “material” to part it into regions; it has none/],
-    ['focus-variable', 'vx', /“vx”, which multiplies the bounds, is not above zero/],
-    ['focus-variable', 'wind', /multiplied by “wind”, but there is no such variable/],
+    ['bound-multiplier', 'vx', /“vx”, which multiplies the bounds, is not above zero/],
+    ['bound-multiplier', 'wind', /multiplied by “wind”, but there is no such variable/],
   ] as const) {
     await viewer.evaluate((element, [name, text]) => element.setAttribute(name, text), [attribute, value]);
     await expect(viewer.getByRole('alert').filter({ hasText: says })).toBeVisible();

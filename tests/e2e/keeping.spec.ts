@@ -438,7 +438,7 @@ test('the address holds what is kept, and leads to the same result', async ({ br
   await settled(page());
   await expect
     .poll(() => page().url())
-    .toMatch(/&?drop-small-parts=&lock-points=3%2C17-20&lock-box=.*&focus-variable=temperature&focus-point=/);
+    .toMatch(/&?drop-small-components=&lock-points=3%2C17-20&lock-box=.*&bound-multiplier=temperature&focus-point=/);
   const result = await sentence(page()).innerText();
   const other = await browser.newPage();
   await other.goto(page().url());

@@ -37,7 +37,7 @@ function watchReductions(): void {
   };
 }
 
-/** With a surface whose reduction takes so long that it is answered from a waypoint meanwhile. */
+/** With a surface whose reduction takes so long that it is answered from a checkpoint meanwhile. */
 async function openLarge(page: Page): Promise<void> {
   await page.addInitScript(watchReductions);
   await page.goto('./#src=samples/fireballs-fine.ply');
@@ -45,13 +45,15 @@ async function openLarge(page: Page): Promise<void> {
   await page.evaluate(() => window.hold());
 }
 
-test('an answer from a waypoint says what it is, and makes room for the exact one without a jump', async ({ page }) => {
+test('an answer from a checkpoint says what it is, and makes room for the exact one without a jump', async ({
+  page,
+}) => {
   await openLarge(page);
   const first = await counts(page);
   await page.evaluate(() => {
     const viewer = document.querySelector('meshbound-app')?.shadowRoot?.querySelector('meshbound-viewer');
     const told: boolean[] = [];
-    viewer?.addEventListener('reduce', (event) => told.push((event as CustomEvent).detail.summed));
+    viewer?.addEventListener('reduce', (event) => told.push((event as CustomEvent).detail.errorsAreUpperBounds));
     Object.assign(window, { told });
   });
   await bound(page).focus();
@@ -191,7 +193,9 @@ test('that a locked box meets nothing is said of the original, whatever a provis
   await bound(page).focus();
   await page.keyboard.press('ArrowRight');
   await expect(caption(page)).toContainText('provisional');
-  const met = await viewer.evaluate(({ session }: Viewer) => session.state.provisional?.result.report.unmetBoxes);
+  const met = await viewer.evaluate(
+    ({ session }: Viewer) => session.state.provisional?.result.report.unusedLockedBoxes,
+  );
   expect(met).toEqual([]);
   await expect(unmet).toHaveCount(1);
 });

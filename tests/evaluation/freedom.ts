@@ -16,15 +16,18 @@ import { markdownTable } from './markdown.ts';
 const bounds = { position: { relative: 0.01 }, '*': { relative: 0.03 } };
 
 const freedoms = [
-  { title: 'neither', choosePlaces: false, chooseCrossings: false },
-  { title: 'places', choosePlaces: true, chooseCrossings: false },
-  { title: 'crossings', choosePlaces: false, chooseCrossings: true },
-  { title: 'both', choosePlaces: true, chooseCrossings: true },
+  { title: 'neither', optimizeVertexImages: false, optimizeEdgeCrossings: false },
+  { title: 'places', optimizeVertexImages: true, optimizeEdgeCrossings: false },
+  { title: 'crossings', optimizeVertexImages: false, optimizeEdgeCrossings: true },
+  { title: 'both', optimizeVertexImages: true, optimizeEdgeCrossings: true },
 ];
 
 /** Triangles left, and how much of the map is folded: "950 · 2.1 %". */
-async function outcome(mesh: Mesh, { choosePlaces, chooseCrossings }: (typeof freedoms)[number]): Promise<string> {
-  const { report } = await reduce(mesh, { bounds, choosePlaces, chooseCrossings });
+async function outcome(
+  mesh: Mesh,
+  { optimizeVertexImages, optimizeEdgeCrossings }: (typeof freedoms)[number],
+): Promise<string> {
+  const { report } = await reduce(mesh, { bounds, optimizeVertexImages, optimizeEdgeCrossings });
   return `${report.triangles.after} · ${((100 * report.foldedCells) / report.cells).toFixed(1)} %`;
 }
 

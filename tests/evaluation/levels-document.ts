@@ -16,7 +16,7 @@ them are made is said in [algorithm.md](algorithm.md#levels-of-detail-4).
 
 The samples have ${percents.length} levels each, within ${percents.join(', ')} % of the geometry's extent and three times as many percent of that of
 every variable. *Chosen* is the default: places and crossings of the map are chosen by their errors. *Laid out*: they are
-where the layout of each hole puts them (\`choosePlaces\`, \`chooseCrossings\`).
+where the layout of each hole puts them (\`optimizeVertexImages\`, \`optimizeEdgeCrossings\`).
 
 ## How large a morph is
 

@@ -17,8 +17,8 @@ import type { WatchedStep } from './watched-steps.ts';
 /** Pictures on each way from a level to the next: at 60 a second it would take two thirds of one. */
 const frames = 40;
 
-const chosen = { choosePlaces: true, chooseCrossings: true };
-const laidOut = { choosePlaces: false, chooseCrossings: false };
+const chosen = { optimizeVertexImages: true, optimizeEdgeCrossings: true };
+const laidOut = { optimizeVertexImages: false, optimizeEdgeCrossings: false };
 
 /** Lends a page, empty, that can import the project's modules, with the samples under `samples/`. */
 async function withModules(work: (page: Page) => Promise<void>): Promise<void> {
@@ -42,7 +42,7 @@ async function withModules(work: (page: Page) => Promise<void>): Promise<void> {
 }
 
 function watch(page: Page, sample: string, freedom: Freedom): Promise<WatchedStep[]> {
-  console.log(`${sample}, ${freedom.choosePlaces ? 'chosen' : 'as laid out'} …`);
+  console.log(`${sample}, ${freedom.optimizeVertexImages ? 'chosen' : 'as laid out'} …`);
   const module = `/@fs${resolve('tests/evaluation/watched-morphs.ts')}`;
   return page.evaluate(
     async ([path, address, free, pictures]) => {

@@ -15,8 +15,8 @@ import { percents, type Seen, type WatchedStep } from './watched-steps.ts';
 
 /** What of the map may be chosen by error; the rest is as the holes were laid out. */
 export interface Freedom {
-  choosePlaces: boolean;
-  chooseCrossings: boolean;
+  optimizeVertexImages: boolean;
+  optimizeEdgeCrossings: boolean;
 }
 
 /** The sides of the picture. */

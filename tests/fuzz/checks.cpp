@@ -45,9 +45,9 @@ void check_topology(const meshes::Topology& before, const meshes::Topology& afte
     require(after.discordant_edges <= before.discordant_edges, "no triangle turns to the wrong side");
 }
 
-const Variable* focus_of(const Mesh& mesh, const Options& options) {
+const Variable* bound_multiplier_of(const Mesh& mesh, const Options& options) {
     for (const Variable& variable : mesh.variables)
-        if (variable.name == options.focus) return &variable;
+        if (variable.name == options.bound_multiplier) return &variable;
     return nullptr;
 }
 
@@ -55,7 +55,7 @@ const Variable* focus_of(const Mesh& mesh, const Options& options) {
 void check_map(const Mesh& mesh, const Options& options, const Reduction& reduction) {
     const certificate::Certificate certificate(mesh, reduction);
     for (const std::string& fault : certificate.faults()) require(false, fault.c_str());
-    const Variable* focus = focus_of(mesh, options);
+    const Variable* focus = bound_multiplier_of(mesh, options);
     const auto multiplier = [&](std::uint32_t vertex) { return focus ? value_at(*focus, vertex, 0) : 1; };
     for (std::size_t i = 0; i < reduction.report.variables.size(); ++i) {
         const ResolvedBound& bound = reduction.report.variables[i].bound;
@@ -63,8 +63,8 @@ void check_map(const Mesh& mesh, const Options& options, const Reduction& reduct
         const auto holds = [&](double error, double factor) {
             return error <= factor * bound.absolute * (1 + hair) + rounding * bound.magnitude;
         };
-        for (std::uint32_t v = 0; v < reduction.map.places.size(); ++v)
-            require(reduction.map.places[v].triangle == nowhere ||
+        for (std::uint32_t v = 0; v < reduction.map.images.size(); ++v)
+            require(reduction.map.images[v].triangle == nowhere ||
                         holds(certificate.error_at_vertex(i, v), multiplier(v)),
                     "bounds hold at vertices");
         for (const MapCrossing& x : reduction.map.crossings) {
@@ -84,7 +84,7 @@ void check_judgement(const Mesh& mesh, const Options& options, const Reduction& 
         if (bound.magnitude > std::min(accurate * bound.absolute, largest_measured)) return;
         bounds.push_back(bound.absolute);
     }
-    if (const Variable* focus = focus_of(mesh, options))
+    if (const Variable* focus = bound_multiplier_of(mesh, options))
         for (std::size_t v = 0; v < vertex_count(mesh); ++v) multipliers.push_back(value_at(*focus, v, 0));
     const auto within = [](const judge::Judgement& judgement) { return judgement.ratio() <= 1 + hair; };
     require(within(judge::judge(mesh, reduction.mesh, bounds, fewest_samples, multipliers)), "the judge agrees");
@@ -128,8 +128,8 @@ void check_morph(const Morph& morph) {
     for (const MorphEnd* end : {&morph.finer, &morph.coarser}) {
         require(end->triangles.size() == morph.triangles.size(), "every piece lies in a triangle");
         for (const glm::uvec3& triangle : morph.triangles)
-            for (int i = 0; i < 3; ++i) require(triangle[i] < end->places.size(), "corners exist");
-        for (const MorphPlace& place : end->places) {
+            for (int i = 0; i < 3; ++i) require(triangle[i] < end->points.size(), "corners exist");
+        for (const MorphPoint& place : end->points) {
             const glm::dvec3& w = place.weights;
             require(std::abs(w.x + w.y + w.z - 1) < 1e-12, "places are mixtures");
         }
@@ -157,7 +157,7 @@ void check_reduction(const Mesh& mesh, const Options& options, const Reduction& 
     check_labels(rest, reduction);
     check_seams(sheet, reduction);
     check_feature_size(options, reduction.report);
-    if (options.errors == Errors::tracked) check_map(sheet, options, reduced_sheet);
+    if (options.errors == ErrorAccounting::tracked) check_map(sheet, options, reduced_sheet);
     else if (!rest.triangles.empty()) check_judgement(rest, options, reduction);
     if (options.refuse_piercing && is_decided_exactly(mesh)) check_piercing(sheet, reduced_sheet);
 }

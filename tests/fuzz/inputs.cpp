@@ -93,7 +93,7 @@ void stand_on(Position& position, const std::vector<std::uint32_t>& stands_on) {
 
 Bound make_bound(Bytes& bytes) {
     switch (bytes.byte() % 4) {
-    case 0: return free_of_bound();
+    case 0: return unbounded();
     case 1: return absolute(bytes.number());
     default: return relative((1 + bytes.byte()) / 256.0);
     }
@@ -168,14 +168,14 @@ Options make_options(Bytes& bytes, const Mesh& mesh) {
     Options options;
     options.threads = 1;
     const std::uint8_t bits = bytes.byte();
-    options.errors = bits & 1 ? Errors::propagated : Errors::tracked;
-    options.cost = bits & 2 ? Cost::maximum : Cost::introduced;
-    options.choose_places = !(bits & 4);
-    options.choose_crossings = !(bits & 8);
+    options.errors = bits & 1 ? ErrorAccounting::propagated : ErrorAccounting::tracked;
+    options.cost = bits & 2 ? RetriangulationCost::maximum : RetriangulationCost::introduced;
+    options.optimize_vertex_images = !(bits & 4);
+    options.optimize_edge_crossings = !(bits & 8);
     options.refuse_piercing = bits & 16;
     options.limit_to_feature_size = (bits & 96) == 96;
-    options.drop_small_parts = bits & 128;
-    if (!mesh.variables.empty() && mesh.variables.back().name == "focus") options.focus = "focus";
+    options.drop_small_components = bits & 128;
+    if (!mesh.variables.empty() && mesh.variables.back().name == "focus") options.bound_multiplier = "focus";
     make_locks(bytes, mesh, options);
     return options;
 }

@@ -59,12 +59,12 @@ std::vector<std::uint32_t> find_parts(const Mesh& mesh) {
 /// A part may go if its box is within the bound of position times the least multiplier in it, and nothing in it is locked.
 bool may_go(const Mesh& mesh, const Options& options, double bound, const std::vector<std::uint32_t>& vertices) {
     glm::dvec3 lowest(std::numeric_limits<double>::infinity()), highest = -lowest;
-    double multiplier = options.focus.empty() ? 1 : std::numeric_limits<double>::infinity();
+    double multiplier = options.bound_multiplier.empty() ? 1 : std::numeric_limits<double>::infinity();
     for (const std::uint32_t v : vertices) {
         if (std::find(options.locked.begin(), options.locked.end(), v) != options.locked.end()) return false;
         lowest = glm::min(lowest, meshes::point(mesh, v));
         highest = glm::max(highest, meshes::point(mesh, v));
-        if (!options.focus.empty()) multiplier = std::min(multiplier, value_at(mesh.variables.back(), v, 0));
+        if (!options.bound_multiplier.empty()) multiplier = std::min(multiplier, value_at(mesh.variables.back(), v, 0));
     }
     return glm::distance(lowest, highest) <= multiplier * bound;
 }
@@ -113,8 +113,8 @@ Mesh without_dropped(const Mesh& mesh, const Options& options, const Reduction& 
     std::map<std::uint32_t, std::vector<std::uint32_t>> dropped;
     for (const std::uint32_t vertex : used_vertices(mesh))
         if (!left.count(part[vertex])) dropped[part[vertex]].push_back(vertex);
-    require(dropped.empty() || options.drop_small_parts, "parts go only when asked for");
-    require(dropped.size() == reduction.report.dropped.parts, "dropped parts are counted");
+    require(dropped.empty() || options.drop_small_components, "parts go only when asked for");
+    require(dropped.size() == reduction.report.dropped.components, "dropped parts are counted");
     for (const auto& [name, vertices] : dropped)
         require(may_go(mesh, options, reduction.report.variables[0].bound.absolute, vertices), "only small parts go");
     Mesh rest = mesh;

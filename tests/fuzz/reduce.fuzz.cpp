@@ -1,6 +1,6 @@
 // Feeds the core meshes, bounds and options that nobody would make on purpose. Whatever comes in, a reduction ends with a
 // fault that has a message, or with a surface of the same topology that keeps what it promises under its options, as its own
-// map proves; levels of detail nest besides, and morphs between them hang together. What is reduced onward from a waypoint keeps
+// map proves; levels of detail nest besides, and morphs between them hang together. What is resumed from a checkpoint keeps
 // the same promise, as the judge finds.
 //
 //     build/fuzz/tests/reduce_fuzz -max_total_time=60
@@ -36,15 +36,15 @@ void try_levels(const Mesh& mesh, const Bounds& bounds, const Options& options, 
 }
 
 /// From what a reduction passed on its way, and from its result.
-void try_onward(const Mesh& mesh, const Bounds& bounds, const Options& options, double factor) {
+void try_resuming(const Mesh& mesh, const Bounds& bounds, const Options& options, double factor) {
     Reduction reduction;
-    Waypoint passed;
+    Checkpoint passed;
     if (!succeeds(reduce(mesh, bounds, options, reduction, {}, &passed))) return;
     Options without_map = options;
-    without_map.errors = Errors::propagated;
-    for (const Waypoint& from : {passed, Waypoint{reduction.mesh, reduction.vertices, reduction.report}}) {
+    without_map.errors = ErrorAccounting::propagated;
+    for (const Checkpoint& from : {passed, Checkpoint{reduction.mesh, reduction.vertices, reduction.report}}) {
         Reduction onward;
-        if (succeeds(reduce_onward(from, looser(bounds, factor), options, onward)))
+        if (succeeds(resume_reduction(from, looser(bounds, factor), options, onward)))
             fuzz::check_reduction(mesh, without_map, onward);
     }
 }
@@ -60,6 +60,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!succeeds(reduce(mesh, bounds, options, reduction))) return 0;
     fuzz::check_reduction(mesh, options, reduction);
     if (const std::uint8_t coarser = bytes.byte()) try_levels(mesh, bounds, options, 1 + coarser / 16.0);
-    if (const std::uint8_t looser_by = bytes.byte()) try_onward(mesh, bounds, options, 1 + looser_by / 16.0);
+    if (const std::uint8_t looser_by = bytes.byte()) try_resuming(mesh, bounds, options, 1 + looser_by / 16.0);
     return 0;
 }

@@ -39,7 +39,7 @@ void ResultArrays::map(const SurfaceMap& map) {
     std::vector<std::uint32_t> triangle, edges;
     std::vector<double> barycentric, places;
     std::vector<std::uint8_t> rightward;
-    for (const MapPlace& place : map.places) {
+    for (const SurfacePoint& place : map.images) {
         triangle.push_back(place.triangle);
         for (int corner = 0; corner < 3; ++corner) barycentric.push_back(place.barycentric[corner]);
     }
@@ -51,7 +51,7 @@ void ResultArrays::map(const SurfaceMap& map) {
     array("map:triangle", triangle);
     array("map:barycentric", barycentric);
     array("map:crossingEdges", edges);
-    array("map:crossingPlaces", places);
+    array("map:crossingShares", places);
     array("map:crossingRightward", rightward);
 }
 
@@ -68,15 +68,15 @@ void ResultArrays::report(const Report& report) {
                                     number(report.refused.topology),
                                     number(report.refused.fold),
                                     number(report.refused.piercing),
-                                    number(report.turned_before),
-                                    number(report.turned_after),
-                                    number(report.oddities.repeated_vertex_triangles),
-                                    number(report.oddities.zero_area_triangles),
-                                    number(report.oddities.unused_vertices),
+                                    number(report.flipped_normals_before),
+                                    number(report.flipped_normals_after),
+                                    number(report.defects.repeated_vertex_triangles),
+                                    number(report.defects.zero_area_triangles),
+                                    number(report.defects.unused_vertices),
                                     number(report.non_manifold_vertices),
                                     number(report.cells),
                                     number(report.folded_cells),
-                                    number(report.dropped.parts),
+                                    number(report.dropped.components),
                                     number(report.dropped.triangles),
                                     report.feature_size.value_or(0)});
     std::vector<double> regions;
@@ -106,7 +106,7 @@ void ResultArrays::reduction(const Reduction& reduction) {
         array("vertexError" + name, reduction.vertex_errors[variable].error);
         array("vertexSignedError" + name, reduction.vertex_errors[variable].signed_error);
     }
-    if (!reduction.map.places.empty()) map(reduction.map);
+    if (!reduction.map.images.empty()) map(reduction.map);
     report(reduction.report);
 }
 

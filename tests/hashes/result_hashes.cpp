@@ -17,8 +17,8 @@
 
 #include "hashes/result_arrays.hpp"
 #include "meshbound/meshbound.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "meshes/voxel_surface.hpp"
@@ -103,11 +103,11 @@ struct Setting {
 
 std::vector<Setting> settings() {
     Options propagated, maximum, apart, kept;
-    propagated.errors = maximum.errors = Errors::propagated;
-    maximum.cost = Cost::maximum;
+    propagated.errors = maximum.errors = ErrorAccounting::propagated;
+    maximum.cost = RetriangulationCost::maximum;
     apart.refuse_piercing = apart.limit_to_feature_size = true;
-    kept.focus = "multiplier";
-    kept.drop_small_parts = true;
+    kept.bound_multiplier = "multiplier";
+    kept.drop_small_components = true;
     kept.locked = {1};
     kept.locked_regions = {8};
     return {{"usual", fractions(0.01, 0.03), {}},
@@ -143,10 +143,10 @@ void print_levels(const Named& surface) {
 
 void print_onward(const Named& surface) {
     const std::string what = surface.name + ", onward";
-    Waypoint waypoint;
+    Checkpoint checkpoint;
     Reduction reduction;
-    require(reduce(surface.mesh, fractions(0.01, 0.03), {}, reduction, {}, &waypoint), what);
-    require(reduce_onward(waypoint, fractions(0.03, 0.06), {}, reduction), what);
+    require(reduce(surface.mesh, fractions(0.01, 0.03), {}, reduction, {}, &checkpoint), what);
+    require(resume_reduction(checkpoint, fractions(0.03, 0.06), {}, reduction), what);
     Hash hash;
     hash.reduction(reduction);
     print(hash, what);

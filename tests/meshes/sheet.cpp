@@ -66,7 +66,7 @@ Reduction one_sided(Reduction reduction) {
     const std::vector<glm::uvec3> all = reduction.mesh.triangles;
     const std::vector<std::uint32_t> kept_as = keep_first(reduction.mesh, sorted);
     reduction.mesh.regions.clear();
-    for (MapPlace& place : reduction.map.places) {
+    for (SurfacePoint& place : reduction.map.images) {
         if (place.triangle == nowhere) continue;
         const std::uint32_t kept = kept_as[place.triangle];
         place.barycentric = weights_in(reduction.mesh.triangles[kept], all[place.triangle], place.barycentric);

@@ -91,7 +91,8 @@ private:
 
     std::string reduce(const std::string& errors) const {
         meshbound::Options options;
-        options.errors = errors == "propagated" ? meshbound::Errors::propagated : meshbound::Errors::tracked;
+        options.errors =
+            errors == "propagated" ? meshbound::ErrorAccounting::propagated : meshbound::ErrorAccounting::tracked;
         meshbound::Reduction reduction;
         const auto start = std::chrono::steady_clock::now();
         check(meshbound::reduce(original, bounds, options, reduction));

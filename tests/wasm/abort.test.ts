@@ -52,7 +52,7 @@ describe('abort', () => {
     await abortInFlight();
     const worker = posts.mock.contexts[0] as Worker;
     const { outcome } = await endingOf(worker);
-    expect(outcome).toMatchObject({ ok: true, value: { report: { stopped: 'cancelled' } } });
+    expect(outcome).toMatchObject({ ok: true, value: { report: { termination: 'cancelled' } } });
     await expect(reduce(small, { bounds })).resolves.toBeDefined();
     expect(new Set(posts.mock.contexts)).toEqual(new Set([worker]));
   });
@@ -79,7 +79,7 @@ describe('abort', () => {
     const controller = new AbortController();
     const reduction = await reduce(small, { bounds, signal: controller.signal });
     controller.abort();
-    expect(reduction.report.stopped).toBe('finished');
+    expect(reduction.report.termination).toBe('finished');
     await expect(reduce(small, { bounds })).resolves.toBeDefined();
   });
 

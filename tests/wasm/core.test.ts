@@ -18,7 +18,7 @@ test('a reduction stops where it is told not to go on, and what it has is valid'
   const stopped = unwrap(core.reduce(mesh, { bounds: { '*': { relative: 0.03 } } }, goOn));
   const finished = unwrap(core.reduce(mesh, { bounds: { '*': { relative: 0.03 } } }, () => true));
   expect(calls).toBe(3);
-  expect(stopped.report.stopped).toBe('cancelled');
+  expect(stopped.report.termination).toBe('cancelled');
   expect(stopped.report.triangles.after).toBeGreaterThan(finished.report.triangles.after);
   expect(stopped.mesh.triangles.every((vertex) => vertex < stopped.report.vertices.after)).toBe(true);
 });

@@ -137,8 +137,18 @@ const cases: FaultCase[] = [
     index: 0,
     options: { lockedBoxes: [{ lowest: [0, 0] as never, highest: [1, 1, 0] }] },
   },
-  { what: 'a focus that does not exist', code: 'unknown_variable', variable: 'near', options: { focus: 'near' } },
-  { what: 'a focus of three components', code: 'bad_option', variable: 'flow', options: { focus: 'flow' } },
+  {
+    what: 'a multiplier that does not exist',
+    code: 'unknown_variable',
+    variable: 'near',
+    options: { boundMultiplier: 'near' },
+  },
+  {
+    what: 'a multiplier of three components',
+    code: 'bad_option',
+    variable: 'flow',
+    options: { boundMultiplier: 'flow' },
+  },
   {
     what: 'a limit to the feature size of a free position',
     code: 'bad_option',
@@ -149,7 +159,7 @@ const cases: FaultCase[] = [
     what: 'small parts to leave out beside a free position',
     code: 'bad_option',
     variable: 'position',
-    options: { bounds: { '*': 'free' }, dropSmallParts: true },
+    options: { bounds: { '*': 'free' }, dropSmallComponents: true },
   },
   { what: 'an unknown option', code: 'bad_option', options: { cost: 'cheap' as ReduceOptions['cost'] } },
 ];

@@ -2,7 +2,7 @@
 // below the normal ones.
 
 import { describe, expect, test } from 'vitest';
-import { reduce, reduceLevels, reduceOnward } from '../../wasm/index.ts';
+import { reduce, reduceLevels, resumeReduction } from '../../wasm/index.ts';
 import type { Mesh, ReduceOptions, Variable } from '../../wasm/types.ts';
 import { bumpyPlate } from './bumpy-plate.ts';
 
@@ -70,11 +70,11 @@ describe.each(['tracked', 'propagated'] as const)('with %s errors', (errors) => 
     expectSameBits(reduced, vertices);
   });
 
-  test('and so have a waypoint, what goes on from it, and levels', async () => {
-    const { waypoint } = await reduce(mesh, { bounds, errors, waypoint: true });
-    if (!waypoint) throw new Error('There is no waypoint.');
-    expectSameBits(waypoint.mesh, waypoint.vertices);
-    const onward = await reduceOnward(waypoint, { bounds, errors });
+  test('and so have a checkpoint, what goes on from it, and levels', async () => {
+    const { checkpoint } = await reduce(mesh, { bounds, errors, checkpoint: true });
+    if (!checkpoint) throw new Error('There is no checkpoint.');
+    expectSameBits(checkpoint.mesh, checkpoint.vertices);
+    const onward = await resumeReduction(checkpoint, { bounds, errors });
     expectSameBits(onward.mesh, onward.vertices);
     const coarser = { position: { relative: 0.05 }, 'height 2': { relative: 0.1 }, 'flow 3': { relative: 0.1 } };
     const { levels } = await reduceLevels(mesh, { levels: [bounds, coarser], errors });

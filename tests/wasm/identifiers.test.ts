@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { inspect, reduce, reduceLevels, reduceOnward } from '../../wasm/index.ts';
+import { inspect, reduce, reduceLevels, resumeReduction } from '../../wasm/index.ts';
 import type { Mesh, VariableKind } from '../../wasm/types.ts';
 import { bumpyPlate } from './bumpy-plate.ts';
 
@@ -14,7 +14,7 @@ function numbered(kind: VariableKind | undefined): Mesh {
 const bounds = { '*': { relative: 0.05 } };
 
 test('a bound for all variables is not about an identifier, which stays one', async () => {
-  const { mesh, report, waypoint } = await reduce(numbered('identifier'), { bounds, waypoint: true });
+  const { mesh, report, checkpoint } = await reduce(numbered('identifier'), { bounds, checkpoint: true });
   expect(report.variables.map(({ kind }) => kind)).toEqual([undefined, undefined, undefined, 'identifier']);
   expect(report.variables[3]).toMatchObject({ bound: Number.POSITIVE_INFINITY, ratio: 0, refused: 0 });
   expect(mesh.variables.map(({ kind }) => kind)).toEqual([undefined, undefined, 'identifier']);
@@ -23,8 +23,8 @@ test('a bound for all variables is not about an identifier, which stays one', as
   expect(quantity.report.variables[3].bound).toBeGreaterThan(0);
   expect(quantity.report.triangles.after).toBeGreaterThan(report.triangles.after);
 
-  if (!waypoint) throw new Error('A waypoint was asked for.');
-  const onward = await reduceOnward(waypoint, { bounds: { '*': { relative: 0.1 } } });
+  if (!checkpoint) throw new Error('A checkpoint was asked for.');
+  const onward = await resumeReduction(checkpoint, { bounds: { '*': { relative: 0.1 } } });
   expect(onward.report.variables[3]).toMatchObject({ kind: 'identifier', bound: Number.POSITIVE_INFINITY });
 });
 

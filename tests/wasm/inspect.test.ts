@@ -15,12 +15,12 @@ test('tells what the variables span, without reducing', async () => {
   const inspection = await inspect(square);
   expect(inspection.triangles).toBe(2);
   expect(inspection.vertices).toBe(5);
-  expect(inspection.oddities).toEqual({
+  expect(inspection.defects).toEqual({
     repeatedVertexTriangles: 0,
     zeroAreaTriangles: 0,
     unusedVertices: 1,
-    turnedTriangles: 0,
-    unorientableParts: 0,
+    flippedTriangles: 0,
+    unorientableComponents: 0,
     copiedTriangles: 0,
     twoSidedTriangles: 0,
   });

@@ -86,7 +86,7 @@ describe('reduceLevels', () => {
   test('tells the side from which edges are crossed', async () => {
     const { levels: nested } = await reduceLevels(bumpyPlate(20), { levels });
     const map = nested[0]?.map;
-    expect(map?.crossingRightward).toHaveLength((map?.crossingPlaces.length as number) / 2);
+    expect(map?.crossingRightward).toHaveLength((map?.crossingShares.length as number) / 2);
     expect(new Set(map?.crossingRightward)).toEqual(new Set([0, 1]));
   });
 

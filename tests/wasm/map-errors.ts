@@ -28,10 +28,10 @@ export function vertexDifferences(mesh: Mesh, { mesh: reduced, map }: Reduction,
 /** The same at every crossing. */
 export function crossingDifferences(mesh: Mesh, { mesh: reduced, map }: Reduction, variable: number): number[][] {
   const [from, to] = [variablesOf(mesh)[variable], variablesOf(reduced)[variable]];
-  const { crossingEdges, crossingPlaces } = map as SurfaceMap;
-  return Array.from({ length: crossingPlaces.length / 2 }, (_, crossing) => {
+  const { crossingEdges, crossingShares } = map as SurfaceMap;
+  return Array.from({ length: crossingShares.length / 2 }, (_, crossing) => {
     const [a, b, c, d] = crossingEdges.subarray(4 * crossing, 4 * crossing + 4);
-    const [s, t] = crossingPlaces.subarray(2 * crossing, 2 * crossing + 2);
+    const [s, t] = crossingShares.subarray(2 * crossing, 2 * crossing + 2);
     return components(from).map(
       (component) =>
         between(valueAt(from, a, component), valueAt(from, b, component), s) -

@@ -90,17 +90,17 @@ describe('the map from the original onto the reduced surface', () => {
   });
 
   test('has crossings inside edges of both meshes, in their order along each edge of the original', () => {
-    const { crossingEdges, crossingPlaces } = map;
-    expect(crossingEdges).toHaveLength(2 * crossingPlaces.length);
+    const { crossingEdges, crossingShares } = map;
+    expect(crossingEdges).toHaveLength(2 * crossingShares.length);
     let before = { edge: '', s: 0 };
-    for (let crossing = 0; 2 * crossing < crossingPlaces.length; crossing++) {
+    for (let crossing = 0; 2 * crossing < crossingShares.length; crossing++) {
       const [a, b, c, d] = Array.from(crossingEdges.subarray(4 * crossing, 4 * crossing + 4)) as [
         number,
         number,
         number,
         number,
       ];
-      const [s, t] = Array.from(crossingPlaces.subarray(2 * crossing, 2 * crossing + 2));
+      const [s, t] = Array.from(crossingShares.subarray(2 * crossing, 2 * crossing + 2));
       expect(a).toBeLessThan(b);
       expect(b).toBeLessThan(mesh.position.length / 3);
       expect(Math.max(c, d)).toBeLessThan(reduction.report.vertices.after);
@@ -137,8 +137,8 @@ test('propagated errors keep no map and know nothing of single vertices', async 
 });
 
 describe('the freedom of the map', () => {
-  const settled = [true, false].flatMap((choosePlaces) =>
-    [true, false].map((chooseCrossings) => ({ choosePlaces, chooseCrossings })),
+  const settled = [true, false].flatMap((optimizeVertexImages) =>
+    [true, false].map((optimizeEdgeCrossings) => ({ optimizeVertexImages, optimizeEdgeCrossings })),
   );
 
   test('is used by default, and each way of using it changes the result', async () => {
@@ -150,10 +150,10 @@ describe('the freedom of the map', () => {
   });
 
   test('is refused where it is neither true nor false', async () => {
-    const choosePlaces = 'no' as unknown as boolean;
-    await expect(reduce(mesh, { bounds, choosePlaces })).rejects.toMatchObject({
+    const optimizeVertexImages = 'no' as unknown as boolean;
+    await expect(reduce(mesh, { bounds, optimizeVertexImages })).rejects.toMatchObject({
       code: 'bad_option',
-      message: 'The option choosePlaces cannot be “no”.',
+      message: 'The option optimizeVertexImages cannot be “no”.',
     });
   });
 });

@@ -3,8 +3,8 @@ import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { reduce, reduceLevels, reduceOnward } from '../../wasm/index.ts';
-import type { Levels, Mesh, MorphEnd, ReduceOptions, Reduction, SurfaceMap, Waypoint } from '../../wasm/types.ts';
+import { reduce, reduceLevels, resumeReduction } from '../../wasm/index.ts';
+import type { Levels, Mesh, MorphEnd, ReduceOptions, Reduction, SurfaceMap, Checkpoint } from '../../wasm/types.ts';
 import { mustSkip } from '../skipping.ts';
 import { differences, type LabelledArrays, type NumberArray, readLabelledArrays } from './labelled-arrays.ts';
 
@@ -32,8 +32,8 @@ function keptOf({ position }: Mesh): Omit<ReduceOptions, 'errors' | 'cost'> {
   const corner: [number, number, number] = [position[middle], position[middle + 1], position[middle + 2]];
   return {
     bounds: fractions(0.03, 0.1),
-    focus: 'multiplier',
-    dropSmallParts: true,
+    boundMultiplier: 'multiplier',
+    dropSmallComponents: true,
     locked: Uint32Array.of(1),
     lockedRegions: Int32Array.of(2),
     lockedBoxes: [{ lowest: corner, highest: corner }],
@@ -93,7 +93,7 @@ function mapArrays(map: SurfaceMap): [string, NumberArray][] {
 }
 
 function reportArrays({ report }: Reduction): [string, NumberArray][] {
-  const { triangles, vertices, refused, oddities, turnedAway, nonManifoldVertices, cells, foldedCells } = report;
+  const { triangles, vertices, refused, defects, flippedNormals, nonManifoldVertices, cells, foldedCells } = report;
   const regions = report.regions.flatMap(({ label, triangles: count, area }) => {
     return [label, count.before, count.after, area.before, area.after];
   });
@@ -108,10 +108,10 @@ function reportArrays({ report }: Reduction): [string, NumberArray][] {
       refused.fold,
       refused.piercing,
     ],
-    [turnedAway.before, turnedAway.after],
-    [oddities.repeatedVertexTriangles, oddities.zeroAreaTriangles, oddities.unusedVertices],
+    [flippedNormals.before, flippedNormals.after],
+    [defects.repeatedVertexTriangles, defects.zeroAreaTriangles, defects.unusedVertices],
     [nonManifoldVertices, cells, foldedCells],
-    [report.dropped.parts, report.dropped.triangles, report.featureSize ?? 0],
+    [report.dropped.components, report.dropped.triangles, report.featureSize ?? 0],
   ];
   const variables = report.variables.map(
     ({ name, extent, magnitude, constant, bound, error, ratio, refused: held }): [string, NumberArray] => [
@@ -191,13 +191,13 @@ describe.skipIf(mustSkip(missing))('the native and the WebAssembly build give th
     expect(found).toEqual([]);
   });
 
-  test('onward from a waypoint', async () => {
+  test('onward from a checkpoint', async () => {
     const names = readdirSync(folder).filter((file) => file.endsWith('.onward'));
     expect(names.length).toBeGreaterThan(15);
     const found: string[] = [];
     for (const name of names.map((file) => basename(file, '.onward'))) {
-      const { waypoint } = await reduce(meshOf(read(`${name}.kept.mesh`)), { bounds, waypoint: true });
-      const onward = await reduceOnward(waypoint as Waypoint, { bounds: fractions(0.03, 0.06) });
+      const { checkpoint } = await reduce(meshOf(read(`${name}.kept.mesh`)), { bounds, checkpoint: true });
+      const onward = await resumeReduction(checkpoint as Checkpoint, { bounds: fractions(0.03, 0.06) });
       found.push(...differences(arraysOf(onward), read(`${name}.onward`)).map((array) => `${name}: ${array}`));
     }
     expect(found).toEqual([]);

@@ -3,7 +3,7 @@
 ///     native_reduction FOLDER
 ///
 /// FOLDER gets, for each mesh, NAME.mesh and one file of the result a mode and a setting, NAME.SETTING.MODE, NAME.levels of
-/// levels of detail and NAME.onward of a reduction that goes on from the waypoint of another one; of the setting "kept", whose meshes have labels and a variable that multiplies bounds, NAME.kept.mesh:
+/// levels of detail and NAME.onward of a reduction that goes on from the checkpoint of another one; of the setting "kept", whose meshes have labels and a variable that multiplies bounds, NAME.kept.mesh:
 /// arrays one after the other, each a line "name type count" and then its bytes (tests/wasm/labelled-arrays.ts reads them).
 
 #include <algorithm>
@@ -21,9 +21,9 @@
 
 #include "hashes/result_arrays.hpp"
 #include "meshbound/meshbound.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 
@@ -52,13 +52,14 @@ private:
 
 struct Mode {
     std::string name;
-    Errors errors;
-    Cost cost;
+    ErrorAccounting errors;
+    RetriangulationCost cost;
 };
 
-const std::vector<Mode> modes = {{"tracked", Errors::tracked, Cost::introduced},
-                                 {"propagated-maximum", Errors::propagated, Cost::maximum},
-                                 {"propagated-introduced", Errors::propagated, Cost::introduced}};
+const std::vector<Mode> modes = {
+    {"tracked", ErrorAccounting::tracked, RetriangulationCost::introduced},
+    {"propagated-maximum", ErrorAccounting::propagated, RetriangulationCost::maximum},
+    {"propagated-introduced", ErrorAccounting::propagated, RetriangulationCost::introduced}};
 
 /// How a mesh is reduced in every mode; native.test.ts has the same.
 struct Setting {
@@ -99,8 +100,8 @@ Mesh with_labels_and_focus(Mesh mesh) {
 /// A vertex, the triangles around another one, and a region are locked.
 Setting kept(const Mesh& mesh) {
     Options options;
-    options.focus = "multiplier";
-    options.drop_small_parts = true;
+    options.bound_multiplier = "multiplier";
+    options.drop_small_components = true;
     options.locked = {1};
     options.locked_regions = {2};
     const std::size_t middle = vertex_count(mesh) / 2;
@@ -148,10 +149,10 @@ void reduce_to_levels(const std::string& path, const Mesh& mesh) {
 }
 
 void go_onward(const std::string& path, const Mesh& mesh) {
-    Waypoint waypoint;
+    Checkpoint checkpoint;
     Reduction reduction;
-    Status status = reduce(mesh, fractions(0.01, 0.03), {}, reduction, {}, &waypoint);
-    if (status.ok()) status = reduce_onward(waypoint, fractions(0.03, 0.06), {}, reduction);
+    Status status = reduce(mesh, fractions(0.01, 0.03), {}, reduction, {}, &checkpoint);
+    if (status.ok()) status = resume_reduction(checkpoint, fractions(0.03, 0.06), {}, reduction);
     if (!status.ok()) throw std::runtime_error(path + ": " + status.message);
     write_reduction(path + ".onward", reduction);
 }

@@ -27,7 +27,7 @@ describe('reduce', () => {
     expect(reduced.position.length / 3).toBe(report.vertices.after);
     expect(report.triangles).toEqual({ before: 1800, after: expect.any(Number) });
     expect(report.triangles.after).toBeLessThan(900);
-    expect(report.stopped).toBe('finished');
+    expect(report.termination).toBe('finished');
     expect(report.seconds).toBeGreaterThan(0);
     expect(report.variables.map(({ name }) => name)).toEqual(['position', 'height', 'flow']);
     for (const { error, bound, ratio } of report.variables) {
@@ -122,24 +122,24 @@ describe('reduce', () => {
     expect(report.refused.locked).toBe(3);
   });
 
-  test('keeps what meets a locked box, and finer bounds where the focus is small', async () => {
+  test('keeps what meets a locked box, and finer bounds where the multiplier is small', async () => {
     const plate = bumpyPlate(16);
     const near = Float64Array.from({ length: 17 * 17 }, (_, vertex) => (vertex % 17 < 8 ? 0.05 : 1));
     const mesh = { ...plate, variables: [...plate.variables, { name: 'near', components: 1, values: near }] };
-    const withFocus = { ...bounds, near: 'free' } as const;
-    const plain = await reduce(mesh, { bounds: withFocus });
-    const focused = await reduce(mesh, { bounds: withFocus, focus: 'near' });
+    const withMultiplier = { ...bounds, near: 'free' } as const;
+    const plain = await reduce(mesh, { bounds: withMultiplier });
+    const focused = await reduce(mesh, { bounds: withMultiplier, boundMultiplier: 'near' });
     expect(focused.report.triangles.after).toBeGreaterThan(plain.report.triangles.after);
     expect(Math.max(...focused.report.variables.map(({ ratio }) => ratio))).toBeLessThanOrEqual(1);
 
     const lockedBoxes = [
       { lowest: [0, 0, -1] as [number, number, number], highest: [0.2, 0.2, 1] as [number, number, number] },
     ];
-    const { vertices, report } = await reduce(mesh, { bounds: withFocus, lockedBoxes });
-    expect(report.unmetBoxes).toEqual([]);
+    const { vertices, report } = await reduce(mesh, { bounds: withMultiplier, lockedBoxes });
+    expect(report.unusedLockedBoxes).toEqual([]);
     const away = { lowest: [0, 0, 7] as [number, number, number], highest: [1, 1, 8] as [number, number, number] };
-    const beside = await reduce(mesh, { bounds: withFocus, lockedBoxes: [...lockedBoxes, away] });
-    expect(beside.report.unmetBoxes).toEqual([1]);
+    const beside = await reduce(mesh, { bounds: withMultiplier, lockedBoxes: [...lockedBoxes, away] });
+    expect(beside.report.unusedLockedBoxes).toEqual([1]);
     const inBox = [0, 1, 2, 3].flatMap((row) => [0, 1, 2, 3].map((column) => 17 * row + column));
     expect(Array.from(vertices)).toEqual(expect.arrayContaining(inBox));
   });
@@ -157,12 +157,12 @@ describe('reduce', () => {
     const mesh = bumpyPlate(4);
     mesh.triangles = Uint32Array.of(...mesh.triangles, 7, 7, 8);
     const { report } = await reduce(mesh, { bounds });
-    expect(report.oddities).toEqual({
+    expect(report.defects).toEqual({
       repeatedVertexTriangles: 1,
       zeroAreaTriangles: 0,
       unusedVertices: 0,
-      turnedTriangles: 0,
-      unorientableParts: 0,
+      flippedTriangles: 0,
+      unorientableComponents: 0,
       copiedTriangles: 0,
       twoSidedTriangles: 0,
     });

@@ -51,7 +51,7 @@ describe('what is damaged', () => {
       ['a share', { index: 1, message: /barycentric/ }, ({ map }) => map.barycentric.fill(Number.NaN, 3, 6)],
       ['an edge', { index: 2, message: /of the original, which/ }, ({ map }) => map.crossingEdges.fill(3e9, 8, 10)],
       ['a reduced edge', { index: 2, message: /edge 3000000000-/ }, ({ map }) => map.crossingEdges.fill(3e9, 10, 12)],
-      ['a place', { index: 2, message: /at 7 of the/ }, ({ map }) => map.crossingPlaces.fill(7, 4, 5)],
+      ['a place', { index: 2, message: /at 7 of the/ }, ({ map }) => map.crossingShares.fill(7, 4, 5)],
       ['a vertex', { index: 1, message: /vertex 4000000000/ }, ({ vertices }) => vertices.fill(4e9, 1, 2)],
       [
         'a corner',
@@ -60,7 +60,7 @@ describe('what is damaged', () => {
       ],
       ['too few shares', { message: /barycentric has/ }, ({ map }) => shorten(map, 'barycentric')],
       ['too few edges', { message: /crossingEdges has/ }, ({ map }) => shorten(map, 'crossingEdges')],
-      ['too few places', { message: /crossingPlaces has/ }, ({ map }) => shorten(map, 'crossingPlaces')],
+      ['too few places', { message: /crossingShares has/ }, ({ map }) => shorten(map, 'crossingShares')],
       ['too few sides', { message: /crossingEdges has/ }, ({ map }) => shorten(map, 'crossingRightward')],
     ];
   test.each(refusals)('is refused by name: %s', async (_, { code = 'bad_map', index, message }, damage) => {
@@ -85,12 +85,12 @@ describe('what is damaged', () => {
     let refused = 0;
     for (let round = 0; round < 300; round++) {
       const spoilt = await damaged(({ mesh, vertices, map }) => {
-        const { triangle, barycentric, crossingEdges, crossingPlaces, crossingRightward } = map;
+        const { triangle, barycentric, crossingEdges, crossingShares, crossingRightward } = map;
         const arrays = [
           triangle,
           barycentric,
           crossingEdges,
-          crossingPlaces,
+          crossingShares,
           crossingRightward,
           vertices,
           mesh.triangles,

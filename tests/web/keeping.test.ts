@@ -67,7 +67,7 @@ describe('attributes', () => {
     lockBox: { lowest: [0, -1, 2e-3], highest: [1, 1, 3] },
     regions: 'part, "two"',
     lockRegions: [4, -7],
-    focus: 'sharpness',
+    boundMultiplier: 'sharpness',
     focusPoint: { point: [1, 2, -0.5], radius: 0.25, factor: 0.1 },
   };
 
@@ -94,7 +94,7 @@ describe('attributes', () => {
     ['lockBox', '1,0,0,0,1,1', 'lock-box cannot be'],
     ['lockRegions', '1,x', 'lock-regions cannot be “1,x”: “x” is not the number of a region'],
     ['lockRegions', '1.5', 'lock-regions cannot be'],
-    ['focusPoint', '0,0,0,1', 'focus-point cannot be “0,0,0,1”: a focus has five numbers'],
+    ['focusPoint', '0,0,0,1', 'focus-point cannot be “0,0,0,1”: a focus point has five numbers'],
     ['focusPoint', '0,0,0,0,0.5', 'radius'],
     ['focusPoint', '0,0,0,1,0', 'factor'],
     ['focusPoint', '0,0,0,1,2', 'factor'],
@@ -149,9 +149,9 @@ describe('a focus', () => {
   const point = { point: [0.5, 0.5, 0] as const, radius: 0.2, factor: 0.1 };
 
   test.each([
-    ['a variable', { focus: 'sharpness' }],
+    ['a variable', { boundMultiplier: 'sharpness' }],
     ['a point', { focusPoint: point }],
-    ['both', { focus: 'sharpness', focusPoint: point }],
+    ['both', { boundMultiplier: 'sharpness', focusPoint: point }],
   ])('of %s leaves the surface’s variables, and its bounds hold times the multiplier', async (_, keeping) => {
     const { mesh, report, triangleErrors, vertexErrors = [], multiplier } = await reduced(keeping);
     for (const list of [report.variables, ['', ...mesh.variables], triangleErrors, vertexErrors])
@@ -170,9 +170,9 @@ describe('a focus', () => {
 
   test('of both is the product', () => {
     const [variable, near, both] = [
-      { focus: 'sharpness' },
+      { boundMultiplier: 'sharpness' },
       { focusPoint: point },
-      { focus: 'sharpness', focusPoint: point },
+      { boundMultiplier: 'sharpness', focusPoint: point },
     ].map((keeping) => asked(keeping).multiplier ?? []);
     expect([...both]).toEqual(Array.from(near, (each, v) => each * variable[v]));
   });
@@ -188,7 +188,8 @@ describe('a focus', () => {
     for (const { finer, coarser } of morphs) expect([finer.variables.length, coarser.variables.length]).toEqual([2, 2]);
   });
 
-  test.each(['none', 'heat'])('that cannot multiply is refused by its name, %s', async (focus) => {
-    for (const focusPoint of [null, point]) await expect(reduced({ focus, focusPoint })).rejects.toThrow(`“${focus}`);
+  test.each(['none', 'heat'])('that cannot multiply is refused by its name, %s', async (boundMultiplier) => {
+    for (const focusPoint of [null, point])
+      await expect(reduced({ boundMultiplier, focusPoint })).rejects.toThrow(`“${boundMultiplier}`);
   });
 });

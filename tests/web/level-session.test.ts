@@ -3,7 +3,7 @@ import type { Levels, LevelsOptions, Mesh, Reduction } from '../../wasm/types.ts
 import { coarser, LevelSession } from '../../web/session/level-session.ts';
 import { Session } from '../../web/session/session.ts';
 import type { Reduced } from '../../web/session/session-state.ts';
-import { noOddities } from './no-oddities.ts';
+import { noDefects } from './no-defects.ts';
 
 const mesh: Mesh = {
   position: new Float32Array(9),
@@ -31,10 +31,10 @@ async function setUp() {
       triangles: 1,
       vertices: 3,
       variables,
-      oddities: noOddities,
+      defects: noDefects,
     }),
     reduce: async () => ({ mesh }) as Reduction,
-    reduceOnward: async () => ({ mesh }) as Reduction,
+    resumeReduction: async () => ({ mesh }) as Reduction,
     read: async () => ({ mesh, notes: [], labels: { units: {}, componentNames: {} } }),
     fetchBytes: async () => new Uint8Array(),
   });

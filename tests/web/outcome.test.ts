@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import type { Reduction } from '../../wasm/types.ts';
 import { outcomeOf } from '../../web/element/outcome.ts';
 import { Session } from '../../web/session/session.ts';
-import { noOddities } from './no-oddities.ts';
+import { noDefects } from './no-defects.ts';
 
 const mesh = { position: new Float32Array(9), triangles: new Uint32Array([0, 1, 2]), variables: [] };
 const position = { name: 'position', components: 3, extent: 1, magnitude: 1, constant: false };
@@ -12,13 +12,13 @@ const position = { name: 'position', components: 3, extent: 1, magnitude: 1, con
 async function opened() {
   const runs: { finish: () => void; fail: (error: Error) => void }[] = [];
   const session = new Session({
-    inspect: async () => ({ triangles: 1, vertices: 3, variables: [position], oddities: noOddities }),
+    inspect: async () => ({ triangles: 1, vertices: 3, variables: [position], defects: noDefects }),
     reduce: (_, { signal }) =>
       new Promise((resolve, reject) => {
         signal?.addEventListener('abort', () => reject(new DOMException('aborted', 'AbortError')));
         runs.push({ finish: () => resolve({ mesh } as unknown as Reduction), fail: reject });
       }),
-    reduceOnward: () => Promise.reject(new Error('There is no waypoint.')),
+    resumeReduction: () => Promise.reject(new Error('There is no checkpoint.')),
     read: async () => ({ mesh, notes: [], labels: { units: {}, componentNames: {} } }),
     fetchBytes: async () => new Uint8Array(),
   });

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import type { Report, VariableReport } from '../../wasm/types.ts';
 import { heldBackShares, promiseSentence, roughShareText } from '../../web/element/promise-words.ts';
-import { noOddities } from './no-oddities.ts';
+import { noDefects } from './no-defects.ts';
 
 function variable(name: string, fraction: number, ratio: number, refused = 0): VariableReport {
   const bound = 200 * fraction;
@@ -29,16 +29,16 @@ function report(variables: VariableReport[], refused: Partial<Report['refused']>
     variables,
     candidates: 49992,
     refused: { nonManifold: 0, locked: 0, ring: 0, topology: 0, fold: 0, piercing: 0, ...refused },
-    turnedAway: { before: 0, after: 0 },
-    oddities: noOddities,
-    dropped: { parts: 0, triangles: 0 },
-    unmetBoxes: [],
+    flippedNormals: { before: 0, after: 0 },
+    defects: noDefects,
+    dropped: { components: 0, triangles: 0 },
+    unusedLockedBoxes: [],
     regions: [],
     nonManifoldVertices: 0,
     cells: 0,
     foldedCells: 0,
-    stopped: 'finished',
-    summed: false,
+    termination: 'finished',
+    errorsAreUpperBounds: false,
     seconds: 0.3,
   };
 }
@@ -88,7 +88,8 @@ describe('the promise', () => {
 
   test('promises nothing of parts that were left out, and counts them', () => {
     const all = report([variable('a', 0.03, 0.5)]);
-    const dropped = (parts: number) => plain(promiseSentence({ ...all, dropped: { parts, triangles: 9 } }, true));
+    const dropped = (parts: number) =>
+      plain(promiseSentence({ ...all, dropped: { components: parts, triangles: 9 } }, true));
     expect(dropped(0)).not.toContain('left out');
     expect(dropped(1)).toMatch(/ 1 small part left out: nothing promised of it\.$/);
     expect(dropped(3)).toMatch(/ 3 small parts left out: nothing promised of them\.$/);

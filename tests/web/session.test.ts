@@ -25,12 +25,12 @@ const inspect: Services['inspect'] = async ({ variables }) => ({
     magnitude: 1,
     constant: false,
   })),
-  oddities: {
+  defects: {
     repeatedVertexTriangles: 0,
     zeroAreaTriangles: 0,
     unusedVertices: 2,
-    turnedTriangles: 0,
-    unorientableParts: 0,
+    flippedTriangles: 0,
+    unorientableComponents: 0,
     copiedTriangles: 0,
     twoSidedTriangles: 0,
   },
@@ -53,8 +53,8 @@ function setUp(overrides: Partial<Services> = {}) {
         options.signal?.addEventListener('abort', () => reject(new DOMException('aborted', 'AbortError')));
         runs.push({ mesh, options, finish: () => resolve({ mesh } as Reduction), fail: reject });
       }),
-    reduceOnward: async () => {
-      throw new Error('Nothing gave a waypoint.');
+    resumeReduction: async () => {
+      throw new Error('Nothing gave a checkpoint.');
     },
     read: async () => fileWith(meshWith('pressure')),
     fetchBytes: async () => new Uint8Array(),
@@ -281,7 +281,7 @@ describe('the method', () => {
     cost: 'maximum',
     refusePiercing: true,
     limitToFeatureSize: true,
-    dropSmallParts: true,
+    dropSmallComponents: true,
   } as const;
 
   test('is tracked at first, and another one starts a reduction', async () => {

@@ -6,7 +6,7 @@ import { fieldRange, usedValues } from '../../web/colour/field.ts';
 import { nearestVertex } from '../../web/page/nearest-vertex.ts';
 import { placeInSight } from '../../web/page/proposed-place.ts';
 import { boundsForFile, leastMultiplier } from '../../web/session/bounds-for-file.ts';
-import { unusedNotes } from '../../web/session/oddity-notes.ts';
+import { unusedNotes } from '../../web/session/defect-notes.ts';
 import { spanOf } from '../../web/surface/value-span.ts';
 
 describe.each([[Number.NaN], [1e9], [0]])('points at %d', (place) => {

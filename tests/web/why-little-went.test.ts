@@ -3,7 +3,7 @@ import type { Report } from '../../wasm/types.ts';
 import { promiseSentence } from '../../web/element/promise-words.ts';
 import { type Reason, whyLittleWent } from '../../web/session/why-little-went.ts';
 import { littleWentSentence } from '../../web/words/little-went.ts';
-import { noOddities } from './no-oddities.ts';
+import { noDefects } from './no-defects.ts';
 
 function report(after: number, byBound: number, refused: Partial<Report['refused']>): Report {
   return {
@@ -24,16 +24,16 @@ function report(after: number, byBound: number, refused: Partial<Report['refused
     ],
     candidates: 100,
     refused: { nonManifold: 0, locked: 0, ring: 0, topology: 0, fold: 0, piercing: 0, ...refused },
-    turnedAway: { before: 0, after: 0 },
-    oddities: { ...noOddities, unusedVertices: 20 },
-    dropped: { parts: 0, triangles: 0 },
-    unmetBoxes: [],
+    flippedNormals: { before: 0, after: 0 },
+    defects: { ...noDefects, unusedVertices: 20 },
+    dropped: { components: 0, triangles: 0 },
+    unusedLockedBoxes: [],
     regions: [],
     nonManifoldVertices: 0,
     cells: 0,
     foldedCells: 0,
-    stopped: 'finished',
-    summed: false,
+    termination: 'finished',
+    errorsAreUpperBounds: false,
     seconds: 0.3,
   };
 }
@@ -68,7 +68,7 @@ describe('why little went', () => {
   });
 
   test('is not known of what was cancelled', () => {
-    expect(whyLittleWent({ ...report(100, 0, {}), stopped: 'cancelled' })).toBeUndefined();
+    expect(whyLittleWent({ ...report(100, 0, {}), termination: 'cancelled' })).toBeUndefined();
   });
 
   test('never claims all where it is not all', () => {

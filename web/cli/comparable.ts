@@ -37,16 +37,22 @@ export function comparable(original: OpenedSurface, reduced: OpenedSurface, boun
  * components, or is not above zero everywhere.
  */
 export function multipliersOf({ path, mesh }: OpenedSurface, name: string): Variable['values'] {
-  const focus = mesh.variables.find((variable) => variable.name === name);
-  if (!focus) throw new Fault(`${path}: there is no variable “${name}” to multiply the bounds.`);
-  if (focus.components !== 1) {
-    throw new Fault(`${path}: “${name}” has ${focus.components} components; what multiplies the bounds has one.`);
+  const boundMultiplier = mesh.variables.find((variable) => variable.name === name);
+  if (!boundMultiplier) throw new Fault(`${path}: there is no variable “${name}” to multiply the bounds.`);
+  if (boundMultiplier.components !== 1) {
+    throw new Fault(
+      `${path}: “${name}” has ${boundMultiplier.components} components; what multiplies the bounds has one.`,
+    );
   }
-  const used = usedPoints(mesh.triangles, focus.values.length);
-  const bad = focus.values.findIndex((value, point) => used[point] === 1 && !(value > 0 && Number.isFinite(value)));
+  const used = usedPoints(mesh.triangles, boundMultiplier.values.length);
+  const bad = boundMultiplier.values.findIndex(
+    (value, point) => used[point] === 1 && !(value > 0 && Number.isFinite(value)),
+  );
   // The judge wants a number at every point, that of an unused one counts for nothing.
-  if (bad < 0) return focus.values.map((value, point) => (used[point] === 1 ? value : 1));
-  throw new Fault(`${path}: “${name}” cannot multiply the bounds: it is ${focus.values[bad]} at point ${bad}.`);
+  if (bad < 0) return boundMultiplier.values.map((value, point) => (used[point] === 1 ? value : 1));
+  throw new Fault(
+    `${path}: “${name}” cannot multiply the bounds: it is ${boundMultiplier.values[bad]} at point ${bad}.`,
+  );
 }
 
 /** The surface with these variables alone, in this order. Throws a Fault where one is missing or not finite. */

@@ -1,7 +1,7 @@
 import type { Variable } from '../../wasm/index.ts';
 import { withoutRegionNotes } from '../formats/region-notes.ts';
 import { counted, grouped, listed, printable, quoted } from '../formats/wording.ts';
-import { nonFiniteWords } from '../session/oddity-notes.ts';
+import { nonFiniteWords } from '../session/defect-notes.ts';
 import { coincidentIn } from '../surface/coincident.ts';
 import { topologyOf } from '../surface/topology.ts';
 import { usedPoints } from '../surface/used-points.ts';

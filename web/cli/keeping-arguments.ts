@@ -11,9 +11,9 @@ import type { OpenedSurface } from './surface-files.ts';
 export interface Keeping {
   /** The cell-data array whose values part the surface into regions. */
   region: string | undefined;
-  focus: string | undefined;
+  boundMultiplier: string | undefined;
   /** Whether parts smaller than the bound of position go. */
-  dropSmallParts: boolean;
+  dropSmallComponents: boolean;
   points: PointRange[];
   /** Their numbers, or what they are called. */
   regionsToLock: (number | string)[];
@@ -45,18 +45,19 @@ export function parseBox(text: string): Box {
 }
 
 /** The one variable that multiplies the bounds, if any. Throws a UsageFault for several. */
-export function parseFocus(names: string[]): string | undefined {
-  if (names.length > 1) throw new UsageFault(`--focus was given ${listed(names)}; one variable multiplies the bounds.`);
+export function parseBoundMultiplier(names: string[]): string | undefined {
+  if (names.length > 1)
+    throw new UsageFault(`--bound-multiplier was given ${listed(names)}; one variable multiplies the bounds.`);
   return names.at(0);
 }
 
-/** Throws a Fault for a focus that the surface has not. */
-export function requireFocus(
-  { focus }: Keeping,
+/** Throws a Fault for a multiplier that the surface has not. */
+export function requireBoundMultiplier(
+  { boundMultiplier }: Keeping,
   { path, mesh }: { path: string; mesh: { variables: { name: string }[] } },
 ): void {
-  if (focus === undefined || mesh.variables.some(({ name }) => name === focus)) return;
-  throw new Fault(`${path}: there is no variable ${quoted(focus)} to multiply the bounds.`);
+  if (boundMultiplier === undefined || mesh.variables.some(({ name }) => name === boundMultiplier)) return;
+  throw new Fault(`${path}: there is no variable ${quoted(boundMultiplier)} to multiply the bounds.`);
 }
 
 /**

@@ -2,7 +2,7 @@ import type { ReportOptions } from '../session/report-json.ts';
 import { oneOf, parseArguments } from './arguments.ts';
 import { type Bounds, parseBounds } from './bound-arguments.ts';
 import { UsageFault } from './fault.ts';
-import { type Keeping, parseBox, parseFocus, parsePoints, parseRegion } from './keeping-arguments.ts';
+import { type Keeping, parseBox, parseBoundMultiplier, parsePoints, parseRegion } from './keeping-arguments.ts';
 import { levelPaths, parseLevels } from './level-arguments.ts';
 import { outputFormat } from './surface-files.ts';
 import { parseWeld, weldHelp } from './weld-argument.ts';
@@ -26,14 +26,14 @@ Options:
   --errors HOW            tracked (default): measured against the original at every step;
                           propagated: added up from removal to removal, as in the paper; more triangles stay
   --cost WHAT             with propagated errors, what the choice among retriangulations makes small:
-                          introduced (default): the error of this removal; max: the error so far
+                          introduced (default): the error of this removal; maximum: the error so far
   --region NAME           cell data of IN (whole numbers; of .ply a property of the faces, of .obj the material) that
                           part the surface into regions: their borders are kept within the bounds, each side keeps
                           its number; written to .vtp, .vtk and .ply, materials to .obj, too
   --refuse-piercing       let no part of the surface pierce another that passes near; takes about half as long again
   --limit-to-feature-size limit the bound of position to half the distance of the nearest parts that face each other
-  --focus NAME            a variable of one component, above zero, that multiplies every bound: finer where it is small
-  --drop-small            leave out parts that are smaller than the bound of position; says how many
+  --bound-multiplier NAME a variable of one component, above zero, that multiplies every bound: finer where it is small
+  --drop-small-components leave out parts that are smaller than the bound of position; says how many
   --lock-points LIST      points that stay, counted from 0: 3,17,20-40
   --lock-region NUMBER    a region that stays as it is (with --region), as often as needed; of .obj its name will do
   --lock-box X,Y,Z,X,Y,Z  lowest and highest corner of a box: every triangle that meets it stays as it is; as often as
@@ -66,8 +66,8 @@ const signature = {
     region: { type: 'string' },
     'refuse-piercing': { type: 'boolean', default: false },
     'limit-to-feature-size': { type: 'boolean', default: false },
-    focus: { type: 'string', multiple: true, default: [] as string[] },
-    'drop-small': { type: 'boolean', default: false },
+    boundMultiplier: { type: 'string', multiple: true, default: [] as string[] },
+    'drop-small-components': { type: 'boolean', default: false },
     'lock-points': { type: 'string', multiple: true, default: [] as string[] },
     'lock-region': { type: 'string', multiple: true, default: [] as string[] },
     'lock-box': { type: 'string', multiple: true, default: [] as string[] },
@@ -105,7 +105,7 @@ export function parseRequest(args: string[]): Request {
   if (!values.output) throw new UsageFault('-o OUT is missing.');
   const errors = oneOf('--errors', values.errors, ['tracked', 'propagated']);
   requireTogether(values);
-  const cost = oneOf('--cost', values.cost, ['max', 'introduced']);
+  const cost = oneOf('--cost', values.cost, ['maximum', 'introduced']);
   const levels = values.levels === undefined ? undefined : parseLevels(values.levels, values.bound);
   const bounds = levels?.[0] ?? parseBounds(values.bound);
   for (const path of [values.output, values.map]) if (path) outputFormat(path);
@@ -122,8 +122,8 @@ export function parseRequest(args: string[]): Request {
       cost,
       refusePiercing: values['refuse-piercing'],
       limitToFeatureSize: values['limit-to-feature-size'],
-      dropSmallParts: keeping.dropSmallParts,
-      focus: keeping.focus ?? null,
+      dropSmallComponents: keeping.dropSmallComponents,
+      boundMultiplier: keeping.boundMultiplier ?? null,
       region: keeping.region ?? null,
       lockPoints: values['lock-points'],
       lockRegions: keeping.regionsToLock,
@@ -151,8 +151,8 @@ function requireTogether({ map, levels, errors, region, 'lock-region': regions }
 function parseKeeping(values: Values): Keeping {
   return {
     region: values.region,
-    focus: parseFocus(values.focus),
-    dropSmallParts: values['drop-small'],
+    boundMultiplier: parseBoundMultiplier(values.boundMultiplier),
+    dropSmallComponents: values['drop-small-components'],
     points: values['lock-points'].flatMap(parsePoints),
     regionsToLock: values['lock-region'].map(parseRegion),
     lockedBoxes: values['lock-box'].map(parseBox),

@@ -12,7 +12,7 @@ import { labelsWithMap, takenMapNames, triangleName, withMap } from '../formats/
 import type { Labels } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import { boundsForFile, leastMultiplier, reportOfFile } from '../session/bounds-for-file.ts';
-import { droppedNotes, featureNotes, nearPartsNotes, oddityNotes } from '../session/oddity-notes.ts';
+import { droppedNotes, featureNotes, nearPartsNotes, defectNotes } from '../session/defect-notes.ts';
 import { reportJson, type Seams } from '../session/report-json.ts';
 import { havePartsWithin } from '../surface/near-parts.ts';
 import { requireKnownBounds, unnamed } from './bound-arguments.ts';
@@ -21,7 +21,7 @@ import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
 import { Fault, faultOf } from './fault.ts';
 import { interruptible } from './interruption.ts';
-import { requireFocus, settingsOf, unmetBoxNotes, withRegions } from './keeping-arguments.ts';
+import { requireBoundMultiplier, settingsOf, unmetBoxNotes, withRegions } from './keeping-arguments.ts';
 import { levelsJson, levelsText } from './level-report.ts';
 import { sayNotes } from './notes.ts';
 import { ProgressBar } from './progress-bar.ts';
@@ -50,7 +50,7 @@ async function openInput({
 }: Request): Promise<OpenedSurface> {
   const surface = withRegions(keeping, without(exclude, await openSurface(input, csv, { weld })));
   requireKnownBounds(options.bounds, surface);
-  requireFocus(keeping, surface);
+  requireBoundMultiplier(keeping, surface);
   if (map) {
     requireMapNames(surface);
     await requirePlaceFor(triangleName, map);
@@ -75,7 +75,7 @@ async function callCore<Result>(
   try {
     return await call({
       errors: options.errors,
-      cost: options.cost === 'max' ? 'maximum' : 'introduced',
+      cost: options.cost === 'maximum' ? 'maximum' : 'introduced',
       refusePiercing: options.refusePiercing,
       limitToFeatureSize: options.limitToFeatureSize,
       ...settingsOf(keeping, surface),
@@ -156,7 +156,7 @@ async function reduceAndWrite(
   const { mesh } = surface;
   const format = outputFormat(output);
   // A part of every bound is the format's: what is promised is promised of the file.
-  const least = leastMultiplier(mesh, keeping.focus);
+  const least = leastMultiplier(mesh, keeping.boundMultiplier);
   const [first, ...coarser] = await named(output, async () =>
     (levels ?? [options.bounds]).map((bounds) => boundsForFile(format, mesh, bounds, least)),
   );
@@ -189,18 +189,18 @@ async function run(args: string[]): Promise<number> {
     StagedFiles.complete(signal, (files) => reduceAndWrite(files, request, surface, signal)),
   );
   if (!quiet) {
-    if (options.cost === 'max' && options.errors === 'tracked') {
+    if (options.cost === 'maximum' && options.errors === 'tracked') {
       console.error('--cost has an effect with --errors propagated only.');
     }
-    const { oddities, dropped, featureSize, unmetBoxes } = outcome.report;
+    const { defects, dropped, featureSize, unusedLockedBoxes } = outcome.report;
     const free = freeNotes(unnamed(options.bounds, surface.mesh));
     sayNotes(surface.path, [
       ...surface.notes,
-      ...oddityNotes(oddities),
+      ...defectNotes(defects),
       ...droppedNotes(dropped),
       ...featureNotes(featureSize),
       ...nearPartsNotes(mayPierce(options) && havePartsWithin(surface.mesh, outcome.positionBound)),
-      ...unmetBoxNotes(options.lockBoxes, unmetBoxes),
+      ...unmetBoxNotes(options.lockBoxes, unusedLockedBoxes),
       ...free,
     ]);
     for (const [path, losses] of outcome.notes) sayNotes(path, losses);

@@ -9,7 +9,7 @@ import { removedText, roundedUpText, textTable } from './text-table.ts';
 import { turnLines } from './turn-text.ts';
 
 /** What a table of variables needs to know of how it was asked. */
-type AskedFor = Pick<ReportOptions, 'bounds'> & Partial<Pick<ReportOptions, 'focus'>>;
+type AskedFor = Pick<ReportOptions, 'bounds'> & Partial<Pick<ReportOptions, 'boundMultiplier'>>;
 
 /** The same for people. */
 export function reportText(report: Report, options: AskedFor, names?: RegionNames): string {
@@ -23,7 +23,7 @@ export function reportText(report: Report, options: AskedFor, names?: RegionName
     `${grouped(before)} -> ${counted(after, 'triangle')} (${removed} removed) in ${seconds.toFixed(2)} s`,
     textTable([['variable', 'bound', '', 'error', 'error/bound'], ...variableRows(report, options)]),
     ...roundingLines(report),
-    ...focusLines(options),
+    ...multiplierLines(options),
     ...littleWentLines(report),
     ...turnLines(report),
     ...regionLines(regions, names),
@@ -60,8 +60,10 @@ function roundingLines({ variables }: Report): string[] {
 }
 
 /** Why an error may be larger than its bound in the table; nothing where it may not. */
-function focusLines({ focus }: AskedFor): string[] {
-  return focus ? [`bounds are multiplied by “${focus}”: error/bound compares with the bound at each place`] : [];
+function multiplierLines({ boundMultiplier }: AskedFor): string[] {
+  return boundMultiplier
+    ? [`bounds are multiplied by “${boundMultiplier}”: error/bound compares with the bound at each place`]
+    : [];
 }
 
 /** Sentences about the variables that no bound was given for; none where there are none. */

@@ -17,7 +17,7 @@ interface Finding {
 export interface Findings {
   bounds: { name: string; bound: number }[];
   /** The variable that multiplies the bounds, or null. */
-  focus: string | null;
+  boundMultiplier: string | null;
   ratio: number;
   surface: { fromOriginal: Finding; fromReduced: Finding };
   boundary: { fromOriginal: Finding; fromReduced: Finding };
@@ -28,7 +28,7 @@ export function findingsOf(
   { surface, boundary }: Verdict,
   names: readonly string[],
   limits: readonly number[],
-  focus: string | null = null,
+  boundMultiplier: string | null = null,
 ): Findings {
   const named = ({ ratio, variable, position, samples }: Deviation): Finding => {
     return { ratio, variable: names[variable], position, samples };
@@ -40,7 +40,7 @@ export function findingsOf(
   const bounds = names.map((name, i) => ({ name, bound: limits[i] })).filter(({ bound }) => Number.isFinite(bound));
   return {
     bounds,
-    focus,
+    boundMultiplier,
     ratio: Math.max(...deviations.map(({ ratio }) => ratio)),
     surface: both(surface),
     boundary: both(boundary),
@@ -56,7 +56,10 @@ function row(title: string, { ratio, variable, position, samples }: Finding, box
 }
 
 /** For people; `box` is what the positions of the original span, so that the places can be told apart. */
-export function verdictText({ bounds, focus, surface, boundary }: Findings, box: readonly ComponentSpan[]): string {
+export function verdictText(
+  { bounds, boundMultiplier, surface, boundary }: Findings,
+  box: readonly ComponentSpan[],
+): string {
   const limits = bounds.map(({ name, bound }) => `${printable(name)} ${roundedUpText(bound)}`).join(', ');
   const rows = [
     row('original to reduced', surface.fromOriginal, box),
@@ -64,6 +67,6 @@ export function verdictText({ bounds, focus, surface, boundary }: Findings, box:
     row('boundary, original to reduced', boundary.fromOriginal, box),
     row('boundary, reduced to original', boundary.fromReduced, box),
   ];
-  const multiplied = focus === null ? '' : `, each multiplied by ${printable(focus)}`;
+  const multiplied = boundMultiplier === null ? '' : `, each multiplied by ${printable(boundMultiplier)}`;
   return `Bounds: ${limits}${multiplied}\n${textTable([heading, ...rows])}`;
 }

@@ -1,7 +1,7 @@
 import { MeshboundError } from '../../wasm/errors.ts';
 import { judgeAccuracy, loadJudge, type Verdict } from '../../wasm/judge-module.ts';
 import type { Mesh } from '../../wasm/types.ts';
-import { unusedNotes } from '../session/oddity-notes.ts';
+import { unusedNotes } from '../session/defect-notes.ts';
 import { usedPoints } from '../surface/used-points.ts';
 import { spanOf } from '../surface/value-span.ts';
 import { parseArguments } from './arguments.ts';
@@ -11,7 +11,7 @@ import { comparable, multipliersOf } from './comparable.ts';
 import { without } from './exclude.ts';
 import { exitStatus } from './exit-status.ts';
 import { faultOf, UsageFault } from './fault.ts';
-import { parseFocus } from './keeping-arguments.ts';
+import { parseBoundMultiplier } from './keeping-arguments.ts';
 import { sayNotes } from './notes.ts';
 import { freeNotes } from './report.ts';
 import { openSurface } from './surface-files.ts';
@@ -33,7 +33,7 @@ Options:
   --variables FILE.csv    more variables of ORIGINAL: names in the first line, then a line for each point
   ${weldHelp}
   --exclude NAME          leave a variable of ORIGINAL out, as often as needed
-  --focus NAME            a variable of ORIGINAL that multiplies every bound, as for “meshbound reduce”
+  --bound-multiplier NAME a variable of ORIGINAL that multiplies every bound, as for “meshbound reduce”
   --samples N             how many points of each surface are looked at, more or less (default 50000);
                           never fewer than its vertices, edges and triangles
   --json                  the same for programs
@@ -51,7 +51,7 @@ const signature = {
     variables: { type: 'string' },
     weld: { type: 'string' },
     exclude: { type: 'string', multiple: true, default: [] as string[] },
-    focus: { type: 'string', multiple: true, default: [] as string[] },
+    boundMultiplier: { type: 'string', multiple: true, default: [] as string[] },
     samples: { type: 'string', default: '50000' },
     json: { type: 'boolean', default: false },
     quiet: { type: 'boolean', default: false },
@@ -91,13 +91,13 @@ async function run(args: string[]): Promise<number> {
   const bounds = parseBounds(values.bound);
   const samples = parseSamples(values.samples);
   const weld = parseWeld(values.weld);
-  const focus = parseFocus(values.focus);
+  const boundMultiplier = parseBoundMultiplier(values.boundMultiplier);
   const original = without(values.exclude, await openSurface(positionals[0], values.variables, { weld }));
   const reduced = await openSurface(positionals[1]);
   const { names, limits, one, other } = comparable(original, reduced, bounds);
-  const multipliers = focus === undefined ? [] : multipliersOf(original, focus);
+  const multipliers = boundMultiplier === undefined ? [] : multipliersOf(original, boundMultiplier);
   const verdict = await judged(one, other, limits, samples, multipliers, reduced.path);
-  const findings = findingsOf(verdict, names, limits, focus);
+  const findings = findingsOf(verdict, names, limits, boundMultiplier);
   const within = findings.ratio <= 1 + judgeAccuracy;
   if (values.json) {
     const found = { original: original.path, reduced: reduced.path, ...findings, within };

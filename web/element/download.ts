@@ -54,11 +54,10 @@ export async function savedFile(
 }
 
 function reportOf({ result, bounds, method, keeping }: Reduced): string {
-  const cost = method.cost === 'maximum' ? 'max' : 'introduced';
-  const { regions: region, lockBox, lockRegions, focus, focusPoint } = keeping;
+  const { regions: region, lockBox, lockRegions, boundMultiplier, focusPoint } = keeping;
   const lockPoints = keeping.lockPoints.length > 0 ? [pointsText(keeping.lockPoints)] : [];
-  const kept = { region, lockRegions, lockBoxes: lockBox ? [lockBox] : [], lockPoints, focus, focusPoint };
-  return reportJson(result.report, { ...method, ...kept, bounds: asBounds(bounds), cost });
+  const kept = { region, lockRegions, lockBoxes: lockBox ? [lockBox] : [], lockPoints, boundMultiplier, focusPoint };
+  return reportJson(result.report, { ...method, ...kept, bounds: asBounds(bounds) });
 }
 
 /** As one GLB file, which holds all of them. */
@@ -66,7 +65,7 @@ async function levelsFile(surface: OpenSurface, reduced: Reduced, levels: Levels
   const { name, labels } = surface;
   if (!levels) throw new Error(english.faults.noLevels);
   const { mesh: asked, options } = taskOf(surface, reduced.method, reduced.keeping);
-  const least = leastMultiplier(asked, options.focus);
+  const least = leastMultiplier(asked, options.boundMultiplier);
   for (const { mesh, report } of levels.levels) requireKept('glb', mesh, report, least);
   const content = await writeLevels(levels, labels);
   const losses = await lossesOf('glb', levels.levels[0].mesh, labels);

@@ -11,7 +11,7 @@ export interface WantedKeeping {
   lockBox: string | null;
   regions: string | null;
   lockRegions: string | null;
-  focusVariable: string | null;
+  boundMultiplier: string | null;
   focusPoint: string | null;
 }
 
@@ -20,7 +20,7 @@ export const keepingAttributes = [
   'lockBox',
   'regions',
   'lockRegions',
-  'focusVariable',
+  'boundMultiplier',
   'focusPoint',
 ] as const;
 
@@ -31,7 +31,7 @@ export function keepingFrom(wanted: WantedKeeping): Keeping {
     lockBox: read('lock-box', wanted.lockBox, readBox),
     regions: wanted.regions || null,
     lockRegions: read('lock-regions', wanted.lockRegions, readLabels) ?? [],
-    focus: wanted.focusVariable || null,
+    boundMultiplier: wanted.boundMultiplier || null,
     focusPoint: read('focus-point', wanted.focusPoint, readFocusPoint),
   };
 }
@@ -46,13 +46,20 @@ function read<Value>(name: string, text: string | null, reader: (text: string) =
 }
 
 /** The attributes that `keepingFrom` reads as this. */
-export function keepingText({ lockPoints, lockBox, regions, lockRegions, focus, focusPoint }: Keeping): WantedKeeping {
+export function keepingText({
+  lockPoints,
+  lockBox,
+  regions,
+  lockRegions,
+  boundMultiplier,
+  focusPoint,
+}: Keeping): WantedKeeping {
   return {
     lockPoints: pointsText(lockPoints) || null,
     lockBox: lockBox && boxText(lockBox),
     regions,
     lockRegions: lockRegions.join(',') || null,
-    focusVariable: focus,
+    boundMultiplier,
     focusPoint: focusPoint && focusPointText(focusPoint),
   };
 }

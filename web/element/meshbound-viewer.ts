@@ -1,5 +1,5 @@
 import { html, nothing, type PropertyValues } from 'lit';
-import { inspect, reduce, reduceLevels, reduceOnward, segment } from '../../wasm/index.ts';
+import { inspect, reduce, reduceLevels, resumeReduction, segment } from '../../wasm/index.ts';
 import type { Reduction, Report } from '../../wasm/types.ts';
 import type { Probe } from '../probe/probe.ts';
 import { areFirst, asBounds, largestFraction } from '../session/bound-setting.ts';
@@ -116,7 +116,7 @@ export class MeshboundViewer extends ViewerProperties {
   readonly session = new Session({
     inspect,
     reduce,
-    reduceOnward,
+    resumeReduction,
     read: (name, bytes, watchers, beside) => readInWorker(name, bytes, watchers, beside, readOptionsFrom(this.weld)),
     fetchBytes,
   });

@@ -18,11 +18,11 @@ export function isFree({ bound }: VariableReport): boolean {
 }
 
 /**
- * Whether a result is there only until the one from the original is: of what a session shows, what was reduced onward from a
- * waypoint is.
+ * Whether a result is there only until the one from the original is: of what a session shows, what was resumed from a
+ * checkpoint is.
  */
-export function isProvisional({ summed }: Report): boolean {
-  return summed;
+export function isProvisional({ errorsAreUpperBounds }: Report): boolean {
+  return errorsAreUpperBounds;
 }
 
 /** Whether errors were measured against the original (tracked); otherwise they are limits from above (propagated). */
@@ -43,7 +43,7 @@ export function promiseSentence(report: Report, measured: boolean, multiplied = 
   const counted = words.counted(after, before, english.triangles(triangles.before));
   const bounded = variables.filter((variable) => !isFree(variable));
   const free = variables.filter(isFree).map(placeName);
-  const left = dropped.parts > 0 ? ` ${words.dropped(countText(dropped.parts), dropped.parts)}` : '';
+  const left = dropped.components > 0 ? ` ${words.dropped(countText(dropped.components), dropped.components)}` : '';
   const freed = `${free.length > 0 ? ` ${words.free(free)}` : ''}${left}${littleWent(report)}`;
   const bounds = `${boundsPhrase(bounded)}${multiplied ? words.multiplied : ''}`;
   if (bounded.length === 0) return `${counted}${freed}`;

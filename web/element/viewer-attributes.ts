@@ -8,11 +8,11 @@ export const viewAttributes = stateAttributes.filter((name) => name !== 'src' &&
 const properties = {
   'refuse-piercing': 'refusePiercing',
   'limit-to-feature-size': 'limitToFeatureSize',
-  'drop-small-parts': 'dropSmallParts',
+  'drop-small-components': 'dropSmallComponents',
   'lock-points': 'lockPoints',
   'lock-box': 'lockBox',
   'lock-regions': 'lockRegions',
-  'focus-variable': 'focusVariable',
+  'bound-multiplier': 'boundMultiplier',
   'focus-point': 'focusPoint',
   'level-count': 'levelCount',
   'level-pixels': 'levelPixels',
@@ -31,18 +31,24 @@ export function asAttribute(value: string | boolean | number | null): string | n
 }
 
 /** What a Method is made from. */
-export const methodAttributes = ['errors', 'cost', 'refusePiercing', 'limitToFeatureSize', 'dropSmallParts'] as const;
+export const methodAttributes = [
+  'errors',
+  'cost',
+  'refusePiercing',
+  'limitToFeatureSize',
+  'dropSmallComponents',
+] as const;
 
 /** Of the two that are words, what is not known is as at first. */
 type WantedMethod = { [Name in keyof Method]: Method[Name] extends boolean ? boolean : Method[Name] | null };
 
 export function methodFrom(wanted: WantedMethod): Method {
-  const { refusePiercing, limitToFeatureSize, dropSmallParts } = wanted;
+  const { refusePiercing, limitToFeatureSize, dropSmallComponents } = wanted;
   return {
     errors: wanted.errors === 'propagated' ? wanted.errors : 'tracked',
     cost: wanted.cost === 'maximum' ? wanted.cost : 'introduced',
     refusePiercing,
     limitToFeatureSize,
-    dropSmallParts,
+    dropSmallComponents,
   };
 }

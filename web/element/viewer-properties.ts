@@ -17,12 +17,12 @@ export class ViewerProperties extends LitElement implements WantedView, WantedKe
     cost: {},
     refusePiercing: { attribute: 'refuse-piercing', type: Boolean },
     limitToFeatureSize: { attribute: 'limit-to-feature-size', type: Boolean },
-    dropSmallParts: { attribute: 'drop-small-parts', type: Boolean },
+    dropSmallComponents: { attribute: 'drop-small-components', type: Boolean },
     lockPoints: { attribute: 'lock-points' },
     lockBox: { attribute: 'lock-box' },
     regions: {},
     lockRegions: { attribute: 'lock-regions' },
-    focusVariable: { attribute: 'focus-variable' },
+    boundMultiplier: { attribute: 'bound-multiplier' },
     focusPoint: { attribute: 'focus-point' },
     variable: {},
     component: {},
@@ -68,9 +68,9 @@ export class ViewerProperties extends LitElement implements WantedView, WantedKe
   /**
    * Leave out parts of the surface that are smaller than the bound of position, and count them; the promise is about the rest.
    *
-   * @attr drop-small-parts
+   * @attr drop-small-components
    */
-  declare dropSmallParts: boolean;
+  declare dropSmallComponents: boolean;
   /**
    * Points that stay as they are, by their numbers in the surface as it is read, counted from 0: `3,17,20-40`.
    *
@@ -95,12 +95,12 @@ export class ViewerProperties extends LitElement implements WantedView, WantedKe
   /**
    * The variable, of one component and above zero everywhere, that multiplies every bound at each point of the original.
    *
-   * @attr focus-variable
+   * @attr bound-multiplier
    */
-  declare focusVariable: string | null;
+  declare boundMultiplier: string | null;
   /**
    * Where bounds are finer, as `x,y,z,radius,factor`: within the radius they are multiplied by the factor, 0…1, and rise
-   * from there to what they are at twice the radius. With `focus-variable` both multiply.
+   * from there to what they are at twice the radius. With `bound-multiplier` both multiply.
    *
    * @attr focus-point
    */
@@ -149,12 +149,12 @@ export class ViewerProperties extends LitElement implements WantedView, WantedKe
     this.cost = null;
     this.refusePiercing = false;
     this.limitToFeatureSize = false;
-    this.dropSmallParts = false;
+    this.dropSmallComponents = false;
     this.lockPoints = null;
     this.lockBox = null;
     this.regions = null;
     this.lockRegions = null;
-    this.focusVariable = null;
+    this.boundMultiplier = null;
     this.focusPoint = null;
     this.variable = null;
     this.component = null;

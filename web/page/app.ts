@@ -219,7 +219,7 @@ export class App extends LitElement {
         .pinned=${this.#pinned}
         .report=${result?.report ?? null}
         .shownBounds=${isOfOthers ? shown.bounds : null}
-        .unmetBoxes=${reduced?.result.report.unmetBoxes ?? []}
+        .unusedLockedBoxes=${reduced?.result.report.unusedLockedBoxes ?? []}
         .reduction=${result}
         .measured=${this.#isMeasured}
         .curve=${this.#curve.points}

@@ -24,7 +24,7 @@ import './method-choice.ts';
 import './number-field.ts';
 import { percentOf, percentText } from '../element/number-text.ts';
 import { fieldText } from '../session/rounding.ts';
-import './focus-choice.ts';
+import './multiplier-choice.ts';
 import './held-back.ts';
 import './lock-choice.ts';
 import './result-report.ts';
@@ -64,7 +64,7 @@ export class BoundsPanel extends LitElement {
     pinned: { attribute: false },
     report: { attribute: false },
     shownBounds: { attribute: false },
-    unmetBoxes: { attribute: false },
+    unusedLockedBoxes: { attribute: false },
     reduction: { attribute: false },
     spreadShown: { state: true },
     measured: { type: Boolean },
@@ -111,7 +111,7 @@ export class BoundsPanel extends LitElement {
       .chart,
       .spread,
       meshbound-lock-choice,
-      meshbound-focus-choice,
+      meshbound-multiplier-choice,
       meshbound-result-report,
       meshbound-method-choice {
         padding: 8px 0;
@@ -130,7 +130,7 @@ export class BoundsPanel extends LitElement {
   /** What the result shown was made with, where that is not what is asked for; else null. */
   declare shownBounds: BoundSettings | null;
   /** Of the last reduction from the original: a provisional answer knows only what its box meets on the way there. */
-  declare unmetBoxes: readonly number[];
+  declare unusedLockedBoxes: readonly number[];
   /** What the report is of. */
   declare reduction: Multiplied | null;
   /** Whether the spread of errors is to be seen: it is not worked out for nobody. */
@@ -150,7 +150,7 @@ export class BoundsPanel extends LitElement {
     this.pinned = null;
     this.report = null;
     this.shownBounds = null;
-    this.unmetBoxes = [];
+    this.unusedLockedBoxes = [];
     this.reduction = null;
     this.spreadShown = false;
     this.measured = true;
@@ -185,13 +185,13 @@ export class BoundsPanel extends LitElement {
         .surface=${this.surface}
         .keeping=${this.keeping}
         .pinned=${this.pinned}
-        ?isUnmet=${this.keeping.lockBox !== null && this.unmetBoxes.includes(0)}
+        ?isUnmet=${this.keeping.lockBox !== null && this.unusedLockedBoxes.includes(0)}
       ></meshbound-lock-choice>
-      <meshbound-focus-choice
+      <meshbound-multiplier-choice
         .surface=${this.surface}
         .keeping=${this.keeping}
         .pinned=${this.pinned}
-      ></meshbound-focus-choice>
+      ></meshbound-multiplier-choice>
       <meshbound-method-choice
         .method=${this.method}
         @method-change=${({ detail }: CustomEvent<Method>) =>

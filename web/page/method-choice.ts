@@ -44,7 +44,7 @@ export class MethodChoice extends LitElement {
         this.#change({ limitToFeatureSize }),
       )}
       <p class="small soft">${pageEnglish.method.nearParts}</p>
-      ${tick(pageEnglish.method.dropSmallParts, this.method.dropSmallParts, (dropSmallParts) => this.#change({ dropSmallParts }))}
+      ${tick(pageEnglish.method.dropSmallComponents, this.method.dropSmallComponents, (dropSmallComponents) => this.#change({ dropSmallComponents }))}
       <p class="small soft">${pageEnglish.method.smallParts}</p>
     </details>`;
   }

@@ -58,14 +58,14 @@ export class ResultReport extends LitElement {
   }
 
   /** What most results have not, each in a few words. */
-  #unusual({ turnedAway, dropped, featureSize, oddities, regions }: Report): string[] {
+  #unusual({ flippedNormals, dropped, featureSize, defects, regions }: Report): string[] {
     const found: [boolean, string][] = [
-      [dropped.parts > 0, words.partsDropped(countText(dropped.parts), dropped.parts)],
+      [dropped.components > 0, words.partsDropped(countText(dropped.components), dropped.components)],
       [regions.some(isVanished), words.unusual.vanished],
       [featureSize !== undefined, words.unusual.limited],
-      [turnedAway.after > turnedAway.before, words.unusual.turnedAway],
-      [oddities.turnedTriangles > 0, words.unusual.turnedRound],
-      [oddities.unorientableParts > 0, words.unusual.oneSided],
+      [flippedNormals.after > flippedNormals.before, words.unusual.flippedNormals],
+      [defects.flippedTriangles > 0, words.unusual.turnedRound],
+      [defects.unorientableComponents > 0, words.unusual.oneSided],
     ];
     return found.filter(([is]) => is).map(([, text]) => text);
   }
@@ -76,19 +76,19 @@ export class ResultReport extends LitElement {
   }
 
   #lines(report: Report): [string, string][] {
-    const { turnedAway, dropped, featureSize, oddities, regions, nonManifoldVertices, cells, foldedCells } = report;
-    const { turnedTriangles, unorientableParts } = oddities;
+    const { flippedNormals, dropped, featureSize, defects, regions, nonManifoldVertices, cells, foldedCells } = report;
+    const { flippedTriangles, unorientableComponents } = defects;
     const size = featureSize === undefined ? null : withUnit(valueText(featureSize), this.unit);
     return [
-      [words.turnedAway, words.beforeAndAfter(countText(turnedAway.before), countText(turnedAway.after))],
+      [words.flippedNormals, words.beforeAndAfter(countText(flippedNormals.before), countText(flippedNormals.after))],
       [words.folds, cells > 0 ? words.foldsAre(countText(foldedCells), countText(cells)) : words.noMap],
       [
         words.orientation,
         words.orientationIs(
-          countText(turnedTriangles),
-          turnedTriangles,
-          countText(unorientableParts),
-          unorientableParts,
+          countText(flippedTriangles),
+          flippedTriangles,
+          countText(unorientableComponents),
+          unorientableComponents,
         ),
       ],
       [words.regions, regions.length > 0 ? this.#regions(regions) : words.noRegions],
@@ -96,7 +96,11 @@ export class ResultReport extends LitElement {
       [words.featureSize, words.featureSizeIs(size, this.method.limitToFeatureSize)],
       [
         words.smallParts,
-        words.smallPartsAre(countText(dropped.parts), countText(dropped.triangles), this.method.dropSmallParts),
+        words.smallPartsAre(
+          countText(dropped.components),
+          countText(dropped.triangles),
+          this.method.dropSmallComponents,
+        ),
       ],
     ];
   }

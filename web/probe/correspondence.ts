@@ -97,12 +97,12 @@ export class Correspondence {
 
   /** Where a corner of a piece lies in the piece's original triangle. */
   #onOriginal = (corner: number, piece: number): Shares => {
-    const { crossingEdges, crossingPlaces, triangle } = this.#reduction.map;
+    const { crossingEdges, crossingShares, triangle } = this.#reduction.map;
     const host = this.#segmentation.original[piece];
     if (corner < triangle.length) return onEdge(this.#original, host, corner, corner, 0);
     const crossing = corner - triangle.length;
     const [from, to] = [crossingEdges[4 * crossing], crossingEdges[4 * crossing + 1]];
-    return onEdge(this.#original, host, from, to, crossingPlaces[2 * crossing]);
+    return onEdge(this.#original, host, from, to, crossingShares[2 * crossing]);
   };
 
   /** Where it lies in the piece's reduced triangle. */
@@ -112,7 +112,7 @@ export class Correspondence {
     if (corner >= map.triangle.length) {
       const crossing = corner - map.triangle.length;
       const [from, to] = [map.crossingEdges[4 * crossing + 2], map.crossingEdges[4 * crossing + 3]];
-      return onEdge(mesh.triangles, host, from, to, map.crossingPlaces[2 * crossing + 1]);
+      return onEdge(mesh.triangles, host, from, to, map.crossingShares[2 * crossing + 1]);
     }
     if (map.triangle[corner] === host) return sharesAt(map.barycentric, corner);
     // A kept vertex lies in every triangle around it, and one on a border in a triangle on each side; the map names one.

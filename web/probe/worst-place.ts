@@ -47,7 +47,7 @@ export function worstPlace(
   const crossings = new Crossings(mesh, reduction, index);
   const crossing = largestOf(crossings.count, (each) => crossings.error(each));
   const atCrossing = crossings.count > 0 && crossings.error(crossing) > errorAt(vertex);
-  return atCrossing ? crossingPlaces(mesh, reduction, crossing) : vertexPlaces(mesh, reduction, vertex);
+  return atCrossing ? crossingShares(mesh, reduction, crossing) : vertexPlaces(mesh, reduction, vertex);
 }
 
 /** The errors of one variable where original edges cross reduced ones. */
@@ -67,7 +67,7 @@ class Crossings {
   }
 
   error(crossing: number): number {
-    const { crossingEdges: ends, crossingPlaces: shares } = this.#reduction.map;
+    const { crossingEdges: ends, crossingShares: shares } = this.#reduction.map;
     let squares = 0;
     for (let component = 0; component < this.#original.components; component++) {
       const [first, place] = [4 * crossing, 2 * crossing];
@@ -83,9 +83,9 @@ function between({ components, values }: Variable, from: number, to: number, sha
   return (1 - share) * values[components * from + component] + share * values[components * to + component];
 }
 
-function crossingPlaces(mesh: Mesh, { mesh: reduced, map }: MappedReduction, crossing: number): PlacePair {
+function crossingShares(mesh: Mesh, { mesh: reduced, map }: MappedReduction, crossing: number): PlacePair {
   const ends = map.crossingEdges.subarray(4 * crossing, 4 * crossing + 4);
-  const [s, t] = map.crossingPlaces.subarray(2 * crossing, 2 * crossing + 2);
+  const [s, t] = map.crossingShares.subarray(2 * crossing, 2 * crossing + 2);
   return {
     original: placeOnEdge(mesh.triangles, ends[0], ends[1], s),
     reduced: placeOnEdge(reduced.triangles, ends[2], ends[3], t),

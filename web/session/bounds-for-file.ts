@@ -49,9 +49,9 @@ function tooCoarse(format: Format, name: string, bound: number, rounding: number
   return new FormatError('too_coarse', message, name);
 }
 
-/** The smallest of what multiplies the bounds: of the variable `focus`, 1 where nothing does. What is none is for the core to refuse. */
-export function leastMultiplier({ variables, triangles }: Mesh, focus: string | null | undefined): number {
-  const variable = variables.find(({ name }) => name === focus);
+/** The smallest of what multiplies the bounds: of the variable `boundMultiplier`, 1 where nothing does. What is none is for the core to refuse. */
+export function leastMultiplier({ variables, triangles }: Mesh, boundMultiplier: string | null | undefined): number {
+  const variable = variables.find(({ name }) => name === boundMultiplier);
   const least = variable ? spanOf(variable, triangles).components[0].lowest : 1;
   return least > 0 && Number.isFinite(least) ? least : 1;
 }

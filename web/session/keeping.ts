@@ -13,7 +13,7 @@ export interface Keeping {
   /** Labels of regions that must stay. */
   lockRegions: readonly number[];
   /** The variable that multiplies all bounds. */
-  focus: string | null;
+  boundMultiplier: string | null;
   /** Near it the bounds are finer still. */
   focusPoint: FocusPoint | null;
 }
@@ -23,7 +23,7 @@ export const nothingKept: Keeping = {
   lockBox: null,
   regions: null,
   lockRegions: [],
-  focus: null,
+  boundMultiplier: null,
   focusPoint: null,
 };
 
@@ -32,8 +32,8 @@ export function sameKeeping(one: Keeping, other: Keeping): boolean {
 }
 
 /** Whether bounds differ over the surface. */
-export function isMultiplied({ focus, focusPoint }: Keeping): boolean {
-  return focus !== null || focusPoint !== null;
+export function isMultiplied({ boundMultiplier, focusPoint }: Keeping): boolean {
+  return boundMultiplier !== null || focusPoint !== null;
 }
 
 /** Labels of regions as people write them, `1,2,5`. Throws an Error whose message is a sentence for people. */

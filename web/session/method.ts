@@ -5,7 +5,7 @@ import type { ReduceOptions } from '../../wasm/index.ts';
  * treated that are near each other or small.
  */
 export type Method = Required<
-  Pick<ReduceOptions, 'errors' | 'cost' | 'refusePiercing' | 'limitToFeatureSize' | 'dropSmallParts'>
+  Pick<ReduceOptions, 'errors' | 'cost' | 'refusePiercing' | 'limitToFeatureSize' | 'dropSmallComponents'>
 >;
 
 export const firstMethod: Method = {
@@ -13,7 +13,7 @@ export const firstMethod: Method = {
   cost: 'introduced',
   refusePiercing: false,
   limitToFeatureSize: false,
-  dropSmallParts: false,
+  dropSmallComponents: false,
 };
 
 export function sameMethod(one: Method, other: Method): boolean {

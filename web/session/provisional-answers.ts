@@ -4,22 +4,22 @@ import type { OpenSurface } from './open-surface.ts';
 import type { Services } from './services.ts';
 import type { Asked, Reduced } from './session-state.ts';
 import { taskOf } from './task.ts';
-import { Waypoints } from './waypoints.ts';
+import { Checkpoints } from './checkpoints.ts';
 
 /** What is to be answered now. */
 type Question = () => Asked & { surface: OpenSurface | null };
 
 /**
- * Answers bounds that move: one answer after the other from waypoints, each to the newest bounds; those in between are left
+ * Answers bounds that move: one answer after the other from checkpoints, each to the newest bounds; those in between are left
  * out. They keep their bounds, but depend on the way that the sliders took, and stand only until the original has been asked.
  */
 export class ProvisionalAnswers {
-  readonly waypoints = new Waypoints();
-  #reduceOnward: Services['reduceOnward'];
+  readonly checkpoints = new Checkpoints();
+  #resumeReduction: Services['resumeReduction'];
   #running = new Latest();
 
-  constructor(reduceOnward: Services['reduceOnward']) {
-    this.#reduceOnward = reduceOnward;
+  constructor(resumeReduction: Services['resumeReduction']) {
+    this.#resumeReduction = resumeReduction;
   }
 
   get isRunning(): boolean {
@@ -41,14 +41,14 @@ export class ProvisionalAnswers {
     return true;
   }
 
-  /** Null where no waypoint serves, or where something is wrong: the reduction from the original will say what. */
+  /** Null where no checkpoint serves, or where something is wrong: the reduction from the original will say what. */
   async #answer({ surface, ...asked }: ReturnType<Question>, signal: AbortSignal): Promise<Reduced | null> {
     const { bounds, method, keeping } = asked;
-    const waypoint = this.waypoints.nearest(asked);
-    if (!surface || !waypoint) return null;
+    const checkpoint = this.checkpoints.nearest(asked);
+    if (!surface || !checkpoint) return null;
     const { options } = taskOf(surface, method, keeping);
     try {
-      const result = await this.#reduceOnward(waypoint, { bounds: asBounds(bounds), ...options, signal });
+      const result = await this.#resumeReduction(checkpoint, { bounds: asBounds(bounds), ...options, signal });
       return { result, bounds, method, keeping };
     } catch {
       return null;

@@ -27,7 +27,7 @@ export async function reducedForFile(
   reduce: Services['reduce'],
 ): Promise<ForFile> {
   const task = taskOf(surface, method, keeping);
-  const least = leastMultiplier(task.mesh, task.options.focus);
+  const least = leastMultiplier(task.mesh, task.options.boundMultiplier);
   if (isKept(format, result.mesh, result.report, least)) return { mesh: result.mesh };
   const part = boundsForFile(format, surface.mesh, asBounds(bounds), least);
   const again = resultOf(task, await reduce(task.mesh, { ...task.options, bounds: part.bounds }));

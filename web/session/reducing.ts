@@ -5,11 +5,11 @@ import { ProvisionalAnswers } from './provisional-answers.ts';
 import type { Services } from './services.ts';
 import type { Asked, Reduced } from './session-state.ts';
 import { resultOf, taskOf } from './task.ts';
-import { canGoOnward } from './waypoints.ts';
+import { canResume } from './checkpoints.ts';
 
 /**
  * A slider that is being dragged sends many changes. Until it rests this long, in milliseconds, they are answered from a
- * waypoint; where there is none, a reduction that runs goes on meanwhile, though of earlier bounds, and shows the way. Then
+ * checkpoint; where there is none, a reduction that runs goes on meanwhile, though of earlier bounds, and shows the way. Then
  * the reduction with the last of them starts.
  */
 const restBeforeReducing = 60;
@@ -37,10 +37,10 @@ export class Reducing {
   /** The bounds have changed since the reduction that runs began. */
   #isStale = false;
 
-  constructor({ reduce, reduceOnward }: Services, asking: Asking) {
+  constructor({ reduce, resumeReduction }: Services, asking: Asking) {
     this.#reduce = reduce;
     this.#asking = asking;
-    this.#provisional = new ProvisionalAnswers(reduceOnward);
+    this.#provisional = new ProvisionalAnswers(resumeReduction);
   }
 
   stop(): void {
@@ -53,14 +53,14 @@ export class Reducing {
   /** Stops, and keeps nothing of the surface that was reduced: there is another one. */
   forget(): void {
     this.stop();
-    this.#provisional.waypoints.clear();
+    this.#provisional.checkpoints.clear();
   }
 
-  /** Answers bounds that have changed: from a waypoint at once, and from the original when they rest. */
+  /** Answers bounds that have changed: from a checkpoint at once, and from the original when they rest. */
   follow(): void {
     clearTimeout(this.#timer);
     if (this.#provisional.isRunning) return; // and goes on to these
-    if (this.#provisional.waypoints.nearest(this.#asking.state)) {
+    if (this.#provisional.checkpoints.nearest(this.#asking.state)) {
       this.#running.abort();
       void this.#answer();
     } else if (this.#running.isRunning) {
@@ -83,9 +83,9 @@ export class Reducing {
     try {
       const outcome = await this.#running.run((signal) => this.#fromOriginal(surface, asked, signal));
       if (outcome === superseded) return;
-      const { waypoint, ...result } = outcome;
+      const { checkpoint, ...result } = outcome;
       const reduced = { result, ...asked };
-      this.#provisional.waypoints.keep(result, waypoint, reduced);
+      this.#provisional.checkpoints.keep(result, checkpoint, reduced);
       this.#asking.reduced(reduced, this.#isStale);
     } catch (error) {
       if (!this.#isStale) this.#asking.failed(error);
@@ -98,8 +98,8 @@ export class Reducing {
     const onProgress = (progress: number) => {
       if (!signal.aborted) this.#asking.progressed(progress);
     };
-    const waypoint = canGoOnward({ method, keeping });
-    const options = { bounds: asBounds(bounds), ...task.options, waypoint, signal, onProgress };
+    const checkpoint = canResume({ method, keeping });
+    const options = { bounds: asBounds(bounds), ...task.options, checkpoint, signal, onProgress };
     return resultOf(task, await this.#reduce(task.mesh, options));
   }
 

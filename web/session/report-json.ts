@@ -7,12 +7,12 @@ import { whyLittleWent } from './why-little-went.ts';
 export interface ReportOptions {
   bounds: Bounds;
   errors: 'tracked' | 'propagated';
-  cost: 'max' | 'introduced';
+  cost: 'maximum' | 'introduced';
   refusePiercing: boolean;
   limitToFeatureSize: boolean;
-  dropSmallParts: boolean;
+  dropSmallComponents: boolean;
   /** The variable that multiplies the bounds. */
-  focus: string | null;
+  boundMultiplier: string | null;
   /** A place near which they are finer still. */
   focusPoint?: FocusPoint | null;
   /** The cell data that part the surface into regions. */
@@ -45,15 +45,15 @@ export function reportJson(
 ): string {
   const {
     triangles,
-    turnedAway,
+    flippedNormals,
     dropped,
     featureSize = null,
-    unmetBoxes,
+    unusedLockedBoxes,
     nonManifoldVertices,
     seconds,
-    stopped,
+    termination,
   } = report;
-  const { turnedTriangles, unorientableParts, copiedTriangles, twoSidedTriangles } = report.oddities;
+  const { flippedTriangles, unorientableComponents, copiedTriangles, twoSidedTriangles } = report.defects;
   const { cells, foldedCells } = report;
   const variables = report.variables.map(
     ({
@@ -84,25 +84,24 @@ export function reportJson(
   const vanishedRegions = regions.filter((region) => region.triangles.after === 0).map(({ label }) => label);
   const facts = {
     triangles,
-    orientation: { turnedTriangles, unorientableParts },
-    coincident: { copiedTriangles, twoSidedTriangles },
+    defects: { flippedTriangles, unorientableComponents, copiedTriangles, twoSidedTriangles },
     nonManifoldVertices,
     seams,
     map: options.errors === 'tracked' ? { cells, foldedCells } : null,
-    turnedAway,
+    flippedNormals,
     dropped,
     featureSize,
-    unmetBoxes,
+    unusedLockedBoxes,
     variables,
-    heldBack: heldBackFacts(report),
+    refused: refusedFacts(report),
     regions,
     vanishedRegions,
   };
-  return `${JSON.stringify({ ...facts, seconds, options, stopped }, undefined, 2)}\n`;
+  return `${JSON.stringify({ ...facts, seconds, options, termination }, undefined, 2)}\n`;
 }
 
 /** Why vertices that are left could not go; what of them was the reason that little went, where the bounds were not. */
-function heldBackFacts(report: Report) {
+function refusedFacts(report: Report) {
   const bounds = Object.fromEntries(report.variables.map(({ name, refused }) => [name, refused]));
   return { candidates: report.candidates, bounds, ...report.refused, whyLittleWent: whyLittleWent(report) ?? null };
 }

@@ -1,4 +1,4 @@
-import type { Inspection, Mesh, OnwardOptions, ReduceOptions, Reduction, Waypoint } from '../../wasm/index.ts';
+import type { Inspection, Mesh, ResumeOptions, ReduceOptions, Reduction, Checkpoint } from '../../wasm/index.ts';
 import type { NamedFile } from '../formats/read-together.ts';
 import type { OpenedFile } from './read.ts';
 import type { Watchers } from './watchers.ts';
@@ -8,7 +8,7 @@ export interface Services {
   /** Rejects with an error that has a `code`, and a `variable` where one is at fault. */
   inspect(mesh: Mesh, watchers?: Watchers): Promise<Inspection>;
   reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduction>;
-  reduceOnward(waypoint: Waypoint, options: OnwardOptions): Promise<Reduction>;
+  resumeReduction(checkpoint: Checkpoint, options: ResumeOptions): Promise<Reduction>;
   /** `beside` are the files that were chosen together with this one. */
   read(name: string, bytes: Uint8Array<ArrayBuffer>, watchers?: Watchers, beside?: NamedFile[]): Promise<OpenedFile>;
   fetchBytes(address: string, watchers?: Watchers): Promise<Uint8Array<ArrayBuffer>>;

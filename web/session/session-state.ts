@@ -62,7 +62,7 @@ export interface SessionState extends Asked {
   /** The last good reduction of this surface: of earlier bounds where another one runs. */
   reduced: Reduced | null;
   /**
-   * While bounds move and until the reduction is there: an answer from a waypoint, which keeps its bounds, but is not the one
+   * While bounds move and until the reduction is there: an answer from a checkpoint, which keeps its bounds, but is not the one
    * that counts. Null where there is none, and always where nothing runs.
    */
   provisional: Reduced | null;

@@ -9,7 +9,7 @@ import { type Keeping, sameKeeping } from './keeping.ts';
 import { Latest, superseded } from './latest.ts';
 import { fromAddress, fromFile, type Loadable, withoutVariable } from './loadable.ts';
 import { type Method, sameMethod } from './method.ts';
-import { nonFiniteWords, oddityNotes } from './oddity-notes.ts';
+import { nonFiniteWords, defectNotes } from './defect-notes.ts';
 import type { Source } from './open-surface.ts';
 import type { OpenedFile } from './read.ts';
 import { type Asking, Reducing } from './reducing.ts';
@@ -225,7 +225,7 @@ export class Session extends EventTarget {
     if (reduced && !sameKeeping(reduced.keeping, keeping)) this.reduceAgain();
   }
 
-  #adopt(source: Source, file: OpenedFile, { variables, oddities }: Inspection): void {
+  #adopt(source: Source, file: OpenedFile, { variables, defects }: Inspection): void {
     const { name, address } = source;
     const { mesh, labels, notes, locked, regions } = file;
     this.#reducing.forget();
@@ -244,7 +244,7 @@ export class Session extends EventTarget {
       reduced: null,
       provisional: null,
     });
-    for (const text of [...notes, ...oddityNotes(oddities)]) this.#notify({ kind: 'note', text });
+    for (const text of [...notes, ...defectNotes(defects)]) this.#notify({ kind: 'note', text });
     this.#noteNonFinite(source, file, variables);
     const choosable = choosableRegionNotes(regions, this.#state.keeping.regions);
     for (const text of choosable) this.#notify({ kind: 'note', text, ofRegions: true });

@@ -26,7 +26,7 @@ export function taskOf(surface: OpenSurface, method: Method, keeping: Keeping): 
     lockedBoxes: lockBox ? [lockBox] : [],
     lockedRegions: Int32Array.from(lockRegions),
   };
-  return withFocus(withRegions(surface, keeping), options, keeping);
+  return withMultiplier(withRegions(surface, keeping), options, keeping);
 }
 
 /** What the surface itself needs to stay, and what is asked for. */
@@ -44,19 +44,19 @@ function withRegions({ mesh, regions }: OpenSurface, { regions: name }: Keeping)
   throw Object.assign(new Error(text), { code: 'unknown_regions' });
 }
 
-function withFocus(mesh: Mesh, options: Task['options'], { focus, focusPoint }: Keeping): Task {
-  const variable = mesh.variables.find(({ name }) => name === focus);
+function withMultiplier(mesh: Mesh, options: Task['options'], { boundMultiplier, focusPoint }: Keeping): Task {
+  const variable = mesh.variables.find(({ name }) => name === boundMultiplier);
   // What cannot multiply is the core's to refuse.
-  if (!focusPoint || (focus !== null && variable?.components !== 1)) {
-    return focus === null
+  if (!focusPoint || (boundMultiplier !== null && variable?.components !== 1)) {
+    return boundMultiplier === null
       ? { mesh, options, added: false }
-      : { mesh, options: { ...options, focus }, multiplier: variable?.values, added: false };
+      : { mesh, options: { ...options, boundMultiplier }, multiplier: variable?.values, added: false };
   }
   const near = multiplierNear(mesh, focusPoint);
   const multiplier = variable ? near.map((each, vertex) => each * variable.values[vertex]) : near;
-  const name = freeName(mesh, focus ?? 'focus');
+  const name = freeName(mesh, boundMultiplier ?? 'focus');
   const variables = [...mesh.variables, { name, components: 1, values: multiplier }];
-  return { mesh: { ...mesh, variables }, options: { ...options, focus: name }, multiplier, added: true };
+  return { mesh: { ...mesh, variables }, options: { ...options, boundMultiplier: name }, multiplier, added: true };
 }
 
 function freeName({ variables }: Mesh, name: string): string {

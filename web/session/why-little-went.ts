@@ -19,8 +19,8 @@ export function keptByBounds({ variables }: Pick<Report, 'variables'>): number {
  * than everything else together. Then what else kept most of them; nothing otherwise, nor where the reduction was cancelled.
  */
 export function whyLittleWent(report: Report): WhyLittleWent | undefined {
-  const { candidates, vertices, refused, stopped } = report;
-  if (stopped !== 'finished' || 2 * (candidates - vertices.after) >= candidates) return undefined;
+  const { candidates, vertices, refused, termination } = report;
+  if (termination !== 'finished' || 2 * (candidates - vertices.after) >= candidates) return undefined;
   const reasons = Object.entries(refused) as [Reason, number][];
   const others = reasons.reduce((sum, [, count]) => sum + count, 0);
   const bounds = keptByBounds(report);

@@ -114,7 +114,7 @@ export const english = {
         'The part of Meshbound that computes could not be started, or has stopped. What was shown before is still there; the next change tries again.',
       bad_map:
         'Meshbound does not accept a map that it made itself: this is its own fault, not that of your file. The reduced surface keeps its bounds and can be saved; what needs the map, as levels, morphs and probes, does not work here.',
-      bad_waypoint:
+      bad_checkpoint:
         'Meshbound does not accept a state that it made itself: this is its own fault, not that of your file. What was shown before is still there and can be saved.',
     },
   },

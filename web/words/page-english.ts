@@ -68,7 +68,7 @@ export const pageEnglish = {
     short: {
       refusePiercing: 'no piercing',
       limitToFeatureSize: 'feature size',
-      dropSmallParts: 'small parts dropped',
+      dropSmallComponents: 'small parts dropped',
     },
     errors: 'Errors',
     keepsSmall: 'Keeps small',
@@ -82,7 +82,7 @@ export const pageEnglish = {
     limitToFeatureSize: 'Limit space to feature size',
     nearParts:
       'Where parts pass near each other: keep them apart exactly, which takes about half as long again; or limit the bound in space to half their distance.',
-    dropSmallParts: 'Drop parts smaller than the bound',
+    dropSmallComponents: 'Drop parts smaller than the bound',
     smallParts:
       'Parts of the surface whose box has a diagonal within the bound in space are left out and counted; the promise is about the rest.',
   },
@@ -93,11 +93,11 @@ export const pageEnglish = {
     unusual: {
       vanished: 'regions vanished',
       limited: 'space limited',
-      turnedAway: 'more turned over',
+      flippedNormals: 'more turned over',
       turnedRound: 'turned round',
       oneSided: 'one-sided',
     },
-    turnedAway: 'Turned over 90°',
+    flippedNormals: 'Turned over 90°',
     folds: 'Folds of the map',
     foldsAre: (folded: string, cells: string) => `${folded} of ${cells} cells`,
     noMap: 'no map',
@@ -158,7 +158,7 @@ export const pageEnglish = {
     noRegions: 'This surface has no cell data of whole numbers, and no materials, that could part it into regions.',
   },
 
-  focus: {
+  multiplier: {
     title: 'Finer bounds',
     now: (variable: string | null, factor: string | null) =>
       [variable ? `× ${variable}` : '', factor ? `× ${factor} near a place` : ''].filter(Boolean).join(', ') ||

@@ -23,7 +23,7 @@ struct Bound {
 
 inline Bound relative(double fraction) { return {Bound::Kind::relative, fraction}; }
 inline Bound absolute(double value) { return {Bound::Kind::absolute, value}; }
-inline Bound free_of_bound() { return {Bound::Kind::free, 0}; }
+inline Bound unbounded() { return {Bound::Kind::free, 0}; }
 
 /// A bound for the variable `name`. "position" is the geometry; "*" stands for every variable that no other entry names,
 /// position among them, but for identifiers (Variable::kind), which only their own names reach. Of two entries with one name

@@ -4,7 +4,7 @@
 
 #include "meshbound/api.hpp"
 #include "meshbound/bounds.hpp"
-#include "meshbound/level_link.hpp"
+#include "meshbound/level_map.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/morph.hpp"
 #include "meshbound/options.hpp"
@@ -17,7 +17,7 @@ struct LevelOptions {
     Options reduction;
     /// Tracked errors only: keep the map from each level onto the next coarser one, to morph between them (see Morph). It
     /// moves nothing farther than the bounds of both levels together, which may leave a few more triangles.
-    bool links = false;
+    bool maps = false;
     /// Tracked errors only: make the morphs between neighbours, from the original to the first level too. Needs links, so
     /// they are kept.
     bool morphs = false;
@@ -29,7 +29,7 @@ struct Levels {
     std::vector<Reduction> levels;
     /// links[i] leads from levels[i] to levels[i + 1]. Empty where none were asked for. From the original to levels[0]
     /// leads the map of levels[0].
-    std::vector<LevelLink> links;
+    std::vector<LevelMap> maps;
     /// morphs[i] leads to levels[i], from the level before or, i being 0, from the original. Empty where none were asked for.
     std::vector<Morph> morphs;
 };

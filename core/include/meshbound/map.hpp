@@ -17,7 +17,7 @@ inline constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max
 /// Where the map puts a vertex of the input: in this triangle of the reduced mesh, at these barycentric coordinates of its
 /// three corners (0…1, sum 1). A removed vertex of a boundary or of a curve between sheets lies on an edge, and has exactly one
 /// coordinate that is 0.
-struct MapPlace {
+struct SurfacePoint {
     std::uint32_t triangle = nowhere;
     glm::dvec3 barycentric{0};
 };
@@ -36,7 +36,7 @@ struct MapCrossing {
 /// The map Φ from the original surface onto the reduced one, by its corners (figure 5): cut every original triangle along
 /// the chords between its crossings, and Φ is linear on a triangulation of each cell.
 struct SurfaceMap {
-    std::vector<MapPlace> places;       ///< one for each vertex of the input
+    std::vector<SurfacePoint> images;   ///< one for each vertex of the input
     std::vector<MapCrossing> crossings; ///< grouped by original edge, each group with s rising
 };
 

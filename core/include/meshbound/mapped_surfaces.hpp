@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "meshbound/level_link.hpp"
+#include "meshbound/level_map.hpp"
 #include "meshbound/map.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/reduce.hpp"
@@ -15,7 +15,7 @@ namespace meshbound {
 struct MappedSurfaces {
     MappedSurfaces(const Mesh& mesh, const Reduction& reduction)
         : original(mesh), reduced(reduction.mesh), vertices(reduction.vertices), map(reduction.map) {}
-    MappedSurfaces(const Mesh& finer, const Mesh& coarser, const LevelLink& link)
+    MappedSurfaces(const Mesh& finer, const Mesh& coarser, const LevelMap& link)
         : original(finer), reduced(coarser), vertices(link.vertices), map(link.map) {}
     /// The same map from a mesh with the same vertices, whose triangles are the same but for the sides that they face.
     MappedSurfaces(const Mesh& turned, const MappedSurfaces& mapped)

@@ -3,8 +3,9 @@
 /// Meshbound: error-bounded reduction of triangle meshes that carry data. Include this, or the one header that you need.
 
 #include "meshbound/bounds.hpp"
+#include "meshbound/checkpoint.hpp"
 #include "meshbound/feature_size.hpp"
-#include "meshbound/level_link.hpp"
+#include "meshbound/level_map.hpp"
 #include "meshbound/levels.hpp"
 #include "meshbound/map.hpp"
 #include "meshbound/mapped_surfaces.hpp"
@@ -12,10 +13,9 @@
 #include "meshbound/morph.hpp"
 #include "meshbound/options.hpp"
 #include "meshbound/reduce.hpp"
-#include "meshbound/reduce_onward.hpp"
 #include "meshbound/report.hpp"
+#include "meshbound/resume_reduction.hpp"
 #include "meshbound/segmentation.hpp"
 #include "meshbound/status.hpp"
 #include "meshbound/validate.hpp"
 #include "meshbound/version.hpp"
-#include "meshbound/waypoint.hpp"

@@ -17,7 +17,7 @@ namespace meshbound {
 
 /// Where a corner of a morph lies on a level: a mixture of up to three of the level's vertices, all of one triangle. Weights
 /// are 0…1 and add up to 1; a vertex with weight 0 may stand for any.
-struct MorphPlace {
+struct MorphPoint {
     glm::uvec3 vertices{0};
     glm::dvec3 weights{1, 0, 0};
 };
@@ -25,7 +25,7 @@ struct MorphPlace {
 /// One of the two levels that a morph leads between, as the morph sees it.
 struct MorphEnd {
     std::vector<Variable> variables;      ///< at the corners: position first, then the variables of the level
-    std::vector<MorphPlace> places;       ///< of the corners
+    std::vector<MorphPoint> points;       ///< of the corners
     std::vector<std::uint32_t> triangles; ///< for each triangle of the morph the level's triangle that it lies in
 };
 
@@ -48,7 +48,7 @@ struct Morph {
 /// Faults: those of segment; bad_map with the variable that the surfaces do not both carry. `morph` is then untouched.
 ///
 ///     make_morph({mesh, levels.levels[0]}, morph);                                               // from the original
-///     make_morph({levels.levels[0].mesh, levels.levels[1].mesh, levels.links[0]}, morph);       // to the next level
+///     make_morph({levels.levels[0].mesh, levels.levels[1].mesh, levels.maps[0]}, morph);       // to the next level
 MESHBOUND_API Status make_morph(const MappedSurfaces& surfaces, Morph& morph, const Progress& progress = {});
 
 /// The surface on its way, `share` 0…1: at 0 the triangles of the morph on the finer level, at 1 on the coarser one.

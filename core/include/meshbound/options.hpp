@@ -12,13 +12,13 @@
 namespace meshbound {
 
 /// How errors are accounted for. Both keep the promise.
-enum class Errors {
+enum class ErrorAccounting {
     propagated, ///< the paper's scheme (§3.3.3): signed intervals on the triangles, added up removal by removal
     tracked,    ///< the map from the original surface is kept and measured against the original at every step
 };
 
 /// What the retriangulation of a hole makes small (§3.4.1); with propagated errors. Errors are ratios to the bounds, the largest over all variables.
-enum class Cost {
+enum class RetriangulationCost {
     maximum,    ///< the largest accumulated error: keep away from the bounds
     introduced, ///< the largest error that this removal introduces
 };
@@ -29,8 +29,8 @@ struct Box {
 };
 
 struct Options {
-    Errors errors = Errors::tracked;
-    Cost cost = Cost::introduced;
+    ErrorAccounting errors = ErrorAccounting::tracked;
+    RetriangulationCost cost = RetriangulationCost::introduced;
 
     /// The sweeps over the surface: each removes what stays within this fraction of the bounds. Rising, in (0, 1], the last
     /// one 1. Early, tighter sweeps take the harmless vertices first; one at 1/8 and one at 1 left the fewest triangles.
@@ -38,8 +38,8 @@ struct Options {
 
     /// Tracked errors only: where the map is free, choose places of vertices and of crossings with smaller errors (the
     /// layout's places else). Fewer triangles; some folds in the map, none in the surface.
-    bool choose_places = true;
-    bool choose_crossings = true;
+    bool optimize_vertex_images = true;
+    bool optimize_edge_crossings = true;
 
     /// Refuse every retriangulation with a triangle that would pierce or touch another lobe of the surface that passes near,
     /// or meet any other triangle beyond the corners and edges that they have in common (§3.2.3). Two triangles of the
@@ -71,12 +71,12 @@ struct Options {
     /// (Report::dropped); the promise is then about the rest. A part hangs together over vertices, or over vertices in one
     /// place. The largest part stays, as do parts with locked vertices. Where the bound is multiplied, its least value in the
     /// part counts; of levels those of the first one. Position must not be free there.
-    bool drop_small_parts = false;
+    bool drop_small_components = false;
 
     /// The name of a variable with one component, above zero everywhere, which multiplies every bound; empty: none does. So
     /// bounds vary over the surface: at a point p where the original has the multiplier m, no error exceeds m times the
     /// bound. The variable itself is carried along like any other.
-    std::string focus;
+    std::string bound_multiplier;
 };
 
 /// Called often (every few milliseconds) with the progress so far, 0…1, never falling. Return false to cancel.

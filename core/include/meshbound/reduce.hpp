@@ -5,12 +5,12 @@
 
 #include "meshbound/api.hpp"
 #include "meshbound/bounds.hpp"
+#include "meshbound/checkpoint.hpp"
 #include "meshbound/map.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/options.hpp"
 #include "meshbound/report.hpp"
 #include "meshbound/status.hpp"
-#include "meshbound/waypoint.hpp"
 
 namespace meshbound {
 
@@ -24,7 +24,7 @@ struct TriangleErrors {
     /// the normal, positive outside (§3.3.1, a diagnostic, not a bound); NaN where it is not known. Empty for a variable with
     /// several components.
     std::vector<float> lowest, highest;
-    /// The largest of error / bound of these points, the bound multiplied as it is at each (Options::focus), rounded up; 0
+    /// The largest of error / bound of these points, the bound multiplied as it is at each (Options::bound_multiplier), rounded up; 0
     /// where the variable is free. One value a triangle.
     std::vector<float> ratio;
 };
@@ -44,7 +44,7 @@ struct Reduction {
 /// > There is a continuous map from the original surface onto the reduced one that moves no point by more than the bound
 /// > of `position` and changes no variable by more than its bound.
 ///
-/// With Options::focus it changes none by more than the bound times the multiplier at the original point.
+/// With Options::bound_multiplier it changes none by more than the bound times the multiplier at the original point.
 ///
 /// Boundaries map to boundaries; genus, components and boundary loops are kept. The vertices of the result are a subset of
 /// the input's, with their values bit for bit. The same input gives the same bytes on every machine.
@@ -53,10 +53,10 @@ struct Reduction {
 /// `reduction` is then untouched. A cancelled call returns an ok status and a valid mesh, marked as cancelled; so that it
 /// answers at once, its report gives the bounds for errors, and map, triangle and vertex errors are empty.
 ///
-/// `waypoint`, where given, is filled with the surface before the last sweep, which lies within the share of the bounds of the
+/// `checkpoint`, where given, is filled with the surface before the last sweep, which lies within the share of the bounds of the
 /// sweep before that; Options::sweeps must have two sweeps at least. It changes nothing else, and takes a few percent of the
 /// time, for its errors are measured. A call that is cancelled before leaves it untouched.
 MESHBOUND_API Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Reduction& reduction,
-                            const Progress& progress = {}, Waypoint* waypoint = nullptr);
+                            const Progress& progress = {}, Checkpoint* checkpoint = nullptr);
 
 } // namespace meshbound

@@ -37,9 +37,9 @@ struct Refusals {
         0; ///< what stays within the bounds would pierce another lobe (with Options::refuse_piercing)
 };
 
-/// Parts of the surface that were left out because they are smaller than the bound of position (Options::drop_small_parts).
-struct DroppedParts {
-    std::size_t parts = 0, triangles = 0;
+/// Parts of the surface that were left out because they are smaller than the bound of position (Options::drop_small_components).
+struct DroppedComponents {
+    std::size_t components = 0, triangles = 0;
 };
 
 /// How much there is of a region (Mesh::regions). One without triangles has vanished.
@@ -49,10 +49,10 @@ struct RegionReport {
     double area_before = 0, area_after = 0; ///< in the unit of position, squared; infinity beyond what a double holds
 };
 
-enum class Stopped {
-    finished,   ///< no single vertex can go any more
-    cancelled,  ///< the caller cancelled; the mesh is valid and within the bounds, but larger than need be
-    on_the_way, ///< a waypoint of a reduction that went on
+enum class Termination {
+    finished,     ///< no single vertex can go any more
+    cancelled,    ///< the caller cancelled; the mesh is valid and within the bounds, but larger than need be
+    intermediate, ///< a checkpoint of a reduction that went on
 };
 
 struct Report {
@@ -62,25 +62,25 @@ struct Report {
     /// Vertices of the input that were there to go, locked ones too: all that triangles use, but for those of dropped parts.
     std::size_t candidates = 0;
     Refusals refused; ///< together with those of the variables, all vertices left; nothing where it was cancelled
-    Oddities oddities;
-    DroppedParts dropped;
+    MeshDefects defects;
+    DroppedComponents dropped;
     /// Which of Options::locked_boxes meet no triangle, so that nothing stays because of them; rising indices.
-    /// Of a reduction onward: no triangle of the waypoint.
-    std::vector<std::size_t> unmet_boxes;
+    /// Of a resumed reduction: no triangle of the checkpoint.
+    std::vector<std::size_t> unused_locked_boxes;
     std::vector<RegionReport> regions; ///< by rising labels; empty where triangles have none
     /// The feature size, where it limited the bound of position (Options::limit_to_feature_size).
     std::optional<double> feature_size;
     std::size_t non_manifold_vertices = 0; ///< of the input: on edges of three or more triangles, in bow-ties
     /// Triangles that turn more than a right angle against the surface that they stand for: against the original's normal at
     /// one of their corners, which is the sum of the area vectors of the original's triangles there. None turns farther at a
-    /// corner than some triangle of the original does. Not counted where the reduction was cancelled or went on from a waypoint.
-    std::size_t turned_before = 0, turned_after = 0;
+    /// corner than some triangle of the original does. Not counted where the reduction was cancelled or went on from a checkpoint.
+    std::size_t flipped_normals_before = 0, flipped_normals_after = 0;
     /// Tracked errors only: into how many cells the map cuts the original (figure 5), and how many of them it turns over
     /// (see Segmentation). Folds of the map are no folds of the surface; they matter to morphing.
     std::size_t cells = 0, folded_cells = 0;
-    Stopped stopped = Stopped::finished;
-    /// Errors are upper bounds, sums over a waypoint and the way on from there (see reduce_onward).
-    bool summed = false;
+    Termination termination = Termination::finished;
+    /// Errors are upper bounds, sums over a checkpoint and the way on from there (see resume_reduction).
+    bool errors_are_upper_bounds = false;
 };
 
 } // namespace meshbound

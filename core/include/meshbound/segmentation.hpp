@@ -29,7 +29,7 @@ struct SegmentationCell {
 /// among them, are linear on both surfaces. What is interpolated between levels of detail (§4).
 ///
 /// A corner is named by one number: below V = vertex_count(original) it is that vertex of the original, at its place
-/// `map.places[corner]`; from there on it is `map.crossings[corner - V]`. So a corner has one place
+/// `map.images[corner]`; from there on it is `map.crossings[corner - V]`. So a corner has one place
 /// on the original and one on the reduced surface, whatever cell one sees it from: neighbouring cells leave no crack.
 ///
 ///     a square, original triangles {0,1,2} and {0,2,3}; the reduced mesh has the other diagonal, which 0-2 crosses once:
@@ -38,7 +38,7 @@ struct SegmentationCell {
 /// Cells and pieces without area on the original occur where an original edge crosses the same reduced edges to and fro,
 /// and where several crossings share one place of it: they open on the way to the reduced surface and keep it free of
 /// holes. Together the pieces are a triangulation of the original surface. In triangles that `reduce` turns round
-/// (Oddities::turned_triangles) cells and pieces run the way of those around them, not the triangle's own.
+/// (MeshDefects::flipped_triangles) cells and pieces run the way of those around them, not the triangle's own.
 struct Segmentation {
     std::vector<SegmentationCell> cells; ///< in the order of the original triangles
     std::vector<std::uint32_t> corners;  ///< cell by cell
@@ -66,11 +66,11 @@ inline constexpr double flat_share = 1e-12;
 MESHBOUND_API Status segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress = {});
 
 /// Barycentric coordinates of a corner of the cell in the cell's original triangle.
-MESHBOUND_API glm::dvec3 place_in_original(const MappedSurfaces& surfaces, const SegmentationCell& cell,
-                                           std::uint32_t corner);
+MESHBOUND_API glm::dvec3 barycentric_in_original(const MappedSurfaces& surfaces, const SegmentationCell& cell,
+                                                 std::uint32_t corner);
 
 /// Barycentric coordinates of a corner of the cell in the cell's reduced triangle.
-MESHBOUND_API glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCell& cell,
-                                          std::uint32_t corner);
+MESHBOUND_API glm::dvec3 barycentric_in_reduced(const MappedSurfaces& surfaces, const SegmentationCell& cell,
+                                                std::uint32_t corner);
 
 } // namespace meshbound

@@ -25,7 +25,7 @@ enum class Fault {
     bad_bound,           ///< a bound that is negative, zero or not a finite number
     bound_too_fine,      ///< a bound below what double precision can carry beside the magnitude of the values
     bad_option,          ///< an option outside its documented range
-    bad_waypoint,        ///< a waypoint that contradicts itself, or has spent what a bound allows
+    bad_checkpoint,      ///< a checkpoint that contradicts itself, or has spent what a bound allows
     bad_map,             ///< a map that is not one between the surfaces it came with
     bad_levels,          ///< a list of levels of detail that is empty or does not go from fine to coarse
     too_large,           ///< more vertices or triangles than 32-bit indices can name, or more than 65 535 variables

@@ -109,7 +109,7 @@ Orientation orient(const std::vector<glm::uvec3>& triangles, std::size_t vertice
         const std::vector<std::uint32_t>& component = traversal.component_of(first);
         const bool counts = two_sided.empty() || !two_sided[first];
         if (!traversal.orientable()) {
-            if (counts && result.unorientable_parts++ == 0) result.unorientable_triangle = first;
+            if (counts && result.unorientable_components++ == 0) result.unorientable_triangle = first;
             if (const ComponentTraversal::Inconsistency inconsistency = traversal.inconsistency();
                 inconsistency.left >= inconsistency.given)
                 continue;
@@ -126,10 +126,10 @@ Orientation orient(const std::vector<glm::uvec3>& triangles, std::size_t vertice
     return result;
 }
 
-void note_orientation(const Orientation& orientation, Oddities& oddities) {
-    oddities.turned_triangles = orientation.flipped;
-    oddities.unorientable_parts = orientation.unorientable_parts;
-    if (orientation.unorientable_parts > 0) oddities.unorientable_triangle = orientation.unorientable_triangle;
+void note_orientation(const Orientation& orientation, MeshDefects& defects) {
+    defects.flipped_triangles = orientation.flipped;
+    defects.unorientable_components = orientation.unorientable_components;
+    if (orientation.unorientable_components > 0) defects.unorientable_triangle = orientation.unorientable_triangle;
 }
 
 } // namespace meshbound

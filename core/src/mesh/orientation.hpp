@@ -11,10 +11,10 @@ namespace meshbound {
 
 /// Triangles flipped so that neighbours are oriented consistently, as far as that can be.
 struct Orientation {
-    std::vector<glm::uvec3> triangles;  ///< all of them, in their order; a flipped one has its last two corners swapped
-    std::size_t flipped = 0;            ///< how many were flipped
-    std::size_t unorientable_parts = 0; ///< components without a consistent orientation (a Möbius band)
-    std::size_t unorientable_triangle{}; ///< the first triangle of the first of them
+    std::vector<glm::uvec3> triangles; ///< all of them, in their order; a flipped one has its last two corners swapped
+    std::size_t flipped = 0;           ///< how many were flipped
+    std::size_t unorientable_components = 0; ///< components without a consistent orientation (a Möbius band)
+    std::size_t unorientable_triangle{};     ///< the first triangle of the first of them
 };
 
 /// Orients a mesh component by component; components are connected over edges with exactly two triangles. Within a
@@ -25,6 +25,6 @@ Orientation orient(const std::vector<glm::uvec3>& triangles, std::size_t vertice
                    const std::vector<char>& two_sided = {});
 
 /// Fills in what is reported of it.
-void note_orientation(const Orientation& orientation, Oddities& oddities);
+void note_orientation(const Orientation& orientation, MeshDefects& defects);
 
 } // namespace meshbound

@@ -18,7 +18,7 @@ std::string_view fault_name(Fault fault) {
     case Fault::bad_bound: return "bad_bound";
     case Fault::bound_too_fine: return "bound_too_fine";
     case Fault::bad_option: return "bad_option";
-    case Fault::bad_waypoint: return "bad_waypoint";
+    case Fault::bad_checkpoint: return "bad_checkpoint";
     case Fault::bad_map: return "bad_map";
     case Fault::bad_levels: return "bad_levels";
     case Fault::too_large: return "too_large";

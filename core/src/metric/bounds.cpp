@@ -74,7 +74,7 @@ Status check_bound(const std::string& name, const Bound& bound) {
 /// The entry that holds for a variable: the last one with its name, else the last "*" unless it is an identifier, else none
 /// (free).
 Bound bound_for(const VariableView& variable, const Bounds& bounds) {
-    Bound found = free_of_bound();
+    Bound found = unbounded();
     bool named = variable.kind == VariableKind::identifier;
     for (const NamedBound& entry : bounds) {
         const bool by_name = entry.name == variable.name;

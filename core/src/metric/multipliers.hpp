@@ -8,7 +8,7 @@
 
 namespace meshbound {
 
-/// What multiplies the bounds at each point of the original (see Options::focus): given at its vertices, linear on its
+/// What multiplies the bounds at each point of the original (see Options::bound_multiplier): given at its vertices, linear on its
 /// triangles, 1 everywhere where nothing is given.
 ///
 /// Why it is enough to look at the corners of the map: on a piece of the original that Φ maps linearly, the error's length is
@@ -17,9 +17,9 @@ namespace meshbound {
 class Multipliers {
 public:
     Multipliers() = default;
-    /// `focus`: a variable of the mesh, or null. `inputs`: by vertex that of the input (see Surface::inputs); empty: all are
+    /// `bound_multiplier`: a variable of the mesh, or null. `inputs`: by vertex that of the input (see Surface::inputs); empty: all are
     /// themselves. 1 where no triangle is.
-    Multipliers(const Mesh& mesh, const Variable* focus, const std::vector<std::uint32_t>& inputs = {});
+    Multipliers(const Mesh& mesh, const Variable* bound_multiplier, const std::vector<std::uint32_t>& inputs = {});
 
     bool vary() const { return !at_vertex_.empty(); }
     double least() const { return least_; }

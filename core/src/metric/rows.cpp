@@ -76,9 +76,9 @@ void Rows::arrange_groups() {
     width_ += width_ % 2;
 }
 
-Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* focus,
+Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* bound_multiplier,
            const std::vector<std::uint32_t>& inputs)
-    : multipliers_(mesh, focus, inputs) {
+    : multipliers_(mesh, bound_multiplier, inputs) {
     double margin = 0;
     for (std::uint32_t i = 0; i < bounds.size(); ++i) {
         const ResolvedBound& bound = bounds[i];

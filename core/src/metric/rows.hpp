@@ -31,9 +31,9 @@ struct RowGroup {
 class Rows {
 public:
     Rows() = default;
-    /// `focus`: the mesh's variable that multiplies the bounds; null: none does (see Options::focus).
+    /// `bound_multiplier`: the mesh's variable that multiplies the bounds; null: none does (see Options::bound_multiplier).
     /// `inputs`: by row the vertex of the mesh (see Surface::inputs); empty: all are themselves.
-    Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* focus = nullptr,
+    Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Variable* bound_multiplier = nullptr,
          const std::vector<std::uint32_t>& inputs = {});
 
     const double* operator[](std::uint32_t vertex) const { return &values_[vertex * std::size_t(width_)]; }

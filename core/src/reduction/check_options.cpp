@@ -60,7 +60,7 @@ Status check_feature_limit(const std::vector<ResolvedBound>& bounds, const Optio
 }
 
 Status check_small_parts(const std::vector<ResolvedBound>& bounds, const Options& options) {
-    if (!options.drop_small_parts || !is_free(bounds[0])) return {};
+    if (!options.drop_small_components || !is_free(bounds[0])) return {};
     return position_is_free("Leaving out small parts");
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "metric/focus.hpp"
+#include "metric/bound_multiplier.hpp"
 #include "reduction/check_options.hpp"
 #include "reduction/feature_limit.hpp"
 #include "reduction/reduction_run.hpp"
@@ -81,26 +81,26 @@ ProgressSpan span_of(std::size_t level, std::size_t levels) {
 MappedSurfaces to_last(const Mesh& mesh, const Levels& levels) {
     const std::size_t last = levels.levels.size() - 1;
     if (last == 0) return {mesh, levels.levels[0]};
-    return {levels.levels[last - 1].mesh, levels.levels[last].mesh, levels.links[last - 1]};
+    return {levels.levels[last - 1].mesh, levels.levels[last].mesh, levels.maps[last - 1]};
 }
 
-Status reduce_all(const Mesh& mesh, const LevelBounds& bounds, const LevelOptions& options, const Oddities& oddities,
+Status reduce_all(const Mesh& mesh, const LevelBounds& bounds, const LevelOptions& options, const MeshDefects& defects,
                   Levels& levels, ProgressReporter& reporter) {
-    const bool tracked = options.reduction.errors == Errors::tracked;
-    const bool links = tracked && (options.links || options.morphs), morphs = tracked && options.morphs;
-    ReductionRun run(mesh, options.reduction, oddities, reporter);
+    const bool tracked = options.reduction.errors == ErrorAccounting::tracked;
+    const bool links = tracked && (options.maps || options.morphs), morphs = tracked && options.morphs;
+    ReductionRun run(mesh, options.reduction, defects, reporter);
     for (std::size_t level = 0; level < bounds.size() && !reporter.cancelled(); ++level) {
         const bool linked = links && level > 0;
-        LevelLink link;
+        LevelMap link;
         levels.levels.push_back(
             run.reduce_within(bounds[level], span_of(level, bounds.size()), linked ? &link : nullptr));
-        if (linked && !reporter.cancelled()) levels.links.push_back(std::move(link));
+        if (linked && !reporter.cancelled()) levels.maps.push_back(std::move(link));
         if (!morphs || reporter.cancelled()) continue;
         Morph morph;
         Status status = make_morph(to_last(mesh, levels), morph, [&reporter](double) { return reporter.poll(); });
         if (!status.ok()) return of_level(level, status);
         if (!reporter.cancelled()) levels.morphs.push_back(std::move(morph));
-        else levels.levels.back().report.stopped = Stopped::cancelled;
+        else levels.levels.back().report.termination = Termination::cancelled;
     }
     return {};
 }
@@ -111,8 +111,8 @@ Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const 
                      const Progress& progress) {
     try {
         ProgressReporter reporter(progress);
-        Oddities oddities;
-        if (Status status = validate(mesh, &oddities); !status.ok()) return status;
+        MeshDefects defects;
+        if (Status status = validate(mesh, &defects); !status.ok()) return status;
         LevelBounds resolved;
         if (Status status = resolve_levels(mesh, bounds, resolved); !status.ok()) return status;
         if (Status status = check_options(mesh, options.reduction); !status.ok()) return status;
@@ -122,7 +122,7 @@ Status reduce_levels(const Mesh& mesh, const std::vector<Bounds>& bounds, const 
         if (Status status = limit_to_feature_size(mesh, options.reduction, resolved, feature, reporter); !status.ok())
             return status;
         Levels reduced;
-        if (Status status = reduce_all(mesh, resolved, options, oddities, reduced, reporter); !status.ok())
+        if (Status status = reduce_all(mesh, resolved, options, defects, reduced, reporter); !status.ok())
             return status;
         for (Reduction& level : reduced.levels) level.report.feature_size = feature;
         levels = std::move(reduced);

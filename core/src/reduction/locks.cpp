@@ -52,7 +52,7 @@ std::vector<std::uint32_t> locked_vertices(const Mesh& mesh, const Options& opti
     return locked;
 }
 
-std::vector<std::size_t> unmet_boxes(const Mesh& mesh, const Options& options) {
+std::vector<std::size_t> unused_locked_boxes(const Mesh& mesh, const Options& options) {
     std::vector<std::size_t> unmet(options.locked_boxes.size());
     std::iota(unmet.begin(), unmet.end(), std::size_t{0});
     for (std::size_t t = 0; t < mesh.triangles.size() && !unmet.empty(); ++t) {

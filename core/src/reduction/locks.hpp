@@ -13,6 +13,6 @@ namespace meshbound {
 std::vector<std::uint32_t> locked_vertices(const Mesh& mesh, const Options& options);
 
 /// Which of the locked boxes meet no triangle, so that nothing stays because of them: rising indices in Options::locked_boxes.
-std::vector<std::size_t> unmet_boxes(const Mesh& mesh, const Options& options);
+std::vector<std::size_t> unused_locked_boxes(const Mesh& mesh, const Options& options);
 
 } // namespace meshbound

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "metric/focus.hpp"
+#include "metric/bound_multiplier.hpp"
 #include "reduction/check_options.hpp"
 #include "reduction/feature_limit.hpp"
 #include "reduction/reduction_run.hpp"
@@ -15,37 +15,37 @@
 namespace meshbound {
 namespace {
 
-Status check_waypoint_is_passed(const Options& options, const Waypoint* waypoint) {
-    if (!waypoint || options.sweeps.size() > 1) return {};
-    return {Fault::bad_option, "One sweep passes no waypoint; there must be two at least.", "", {}};
+Status check_checkpoint_is_passed(const Options& options, const Checkpoint* checkpoint) {
+    if (!checkpoint || options.sweeps.size() > 1) return {};
+    return {Fault::bad_option, "One sweep passes no checkpoint; there must be two at least.", "", {}};
 }
 
 } // namespace
 
 Status reduce(const Mesh& mesh, const Bounds& bounds, const Options& options, Reduction& reduction,
-              const Progress& progress, Waypoint* waypoint) {
+              const Progress& progress, Checkpoint* checkpoint) {
     try {
         ProgressReporter reporter(progress);
-        Oddities oddities;
-        if (Status status = validate(mesh, &oddities); !status.ok()) return status;
+        MeshDefects defects;
+        if (Status status = validate(mesh, &defects); !status.ok()) return status;
         std::vector<std::vector<ResolvedBound>> resolved(1);
         if (Status status = resolve_bounds(mesh, bounds, resolved[0]); !status.ok()) return status;
         if (Status status = check_options(mesh, options); !status.ok()) return status;
         if (Status status = check_feature_limit(resolved[0], options); !status.ok()) return status;
         if (Status status = check_small_parts(resolved[0], options); !status.ok()) return status;
-        if (Status status = check_waypoint_is_passed(options, waypoint); !status.ok()) return status;
+        if (Status status = check_checkpoint_is_passed(options, checkpoint); !status.ok()) return status;
         if (Status status = check_focus(mesh, resolved[0], options); !status.ok()) return status;
         reporter.poll();
         std::optional<double> feature;
         if (Status status = limit_to_feature_size(mesh, options, resolved, feature, reporter); !status.ok())
             return status;
-        Waypoint passed;
+        Checkpoint passed;
         reduction =
-            ReductionRun(mesh, options, oddities, reporter).finish_within(resolved[0], waypoint ? &passed : nullptr);
+            ReductionRun(mesh, options, defects, reporter).finish_within(resolved[0], checkpoint ? &passed : nullptr);
         reduction.report.feature_size = feature;
         if (!passed.vertices.empty()) {
             passed.report.feature_size = feature;
-            *waypoint = std::move(passed);
+            *checkpoint = std::move(passed);
         }
         reporter.finish();
         return {};

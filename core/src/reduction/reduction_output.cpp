@@ -87,11 +87,11 @@ std::vector<TriangleErrors> room_for(std::size_t triangles, const Rows& rows) {
 
 } // namespace
 
-Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Oddities& oddities) {
+Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const MeshDefects& defects) {
     Report report;
     report.triangles_before = mesh.triangles.size();
     report.vertices_before = vertex_count(mesh);
-    report.oddities = oddities;
+    report.defects = defects;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         const VariableView variable = variable_of(mesh, i);
         report.variables.push_back({std::string(variable.name), variable.components, variable.kind, bounds[i]});

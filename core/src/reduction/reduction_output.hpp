@@ -19,7 +19,7 @@ struct ReducedIndices {
 };
 
 /// The part of a report that is known before anything is removed.
-Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Oddities& oddities);
+Report begin_report(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const MeshDefects& defects);
 
 /// Writes the surface out as the reduced mesh, with the vertices that it keeps.
 ReducedIndices extract_mesh(const Mesh& mesh, const Surface& surface, Reduction& reduction);

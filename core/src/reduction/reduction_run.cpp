@@ -9,7 +9,7 @@
 #include "errors/tracked/tracking.hpp"
 #include "mesh/orientation.hpp"
 #include "mesh/region_report.hpp"
-#include "metric/focus.hpp"
+#include "metric/bound_multiplier.hpp"
 #include "reduction/locks.hpp"
 #include "reduction/reduction_output.hpp"
 #include "reduction/sweep.hpp"
@@ -42,16 +42,16 @@ std::size_t threads_to_use(const Options& options) {
 }
 
 std::unique_ptr<ErrorModel> make_error_model(const Options& options, const Rows& rows, const Surface& surface) {
-    if (options.errors == Errors::tracked) return std::make_unique<Tracking>(rows, surface, options);
+    if (options.errors == ErrorAccounting::tracked) return std::make_unique<Tracking>(rows, surface, options);
     return std::make_unique<Propagation>(rows, surface, options.cost);
 }
 
 } // namespace
 
-ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities,
+ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const MeshDefects& defects,
                            ProgressReporter& reporter)
-    : mesh_(mesh), options_(options), oddities_(oddities), reporter_(reporter), pool_(threads_to_use(options)),
-      unmet_boxes_(unmet_boxes(mesh, options)), surface_(mesh.triangles, vertex_count(mesh), mesh.regions) {
+    : mesh_(mesh), options_(options), oddities_(defects), reporter_(reporter), pool_(threads_to_use(options)),
+      unmet_boxes_(unused_locked_boxes(mesh, options)), surface_(mesh.triangles, vertex_count(mesh), mesh.regions) {
     if (surface_.has_coincident_triangles()) make_one_sided();
     else if (surface_.inconsistent_edges() > 0) orient_surface();
     surface_.join_coincident(find_seams(mesh, surface_));
@@ -73,11 +73,11 @@ void ReductionRun::make_one_sided() {
 }
 
 /// Before anything is removed; later levels keep the components that the first one kept.
-void ReductionRun::drop_small_parts(double bound) {
-    if (!options_.drop_small_parts || !reached_.empty()) return;
-    const Multipliers multipliers(mesh_, find_focus(mesh_, options_));
+void ReductionRun::drop_small_components(double bound) {
+    if (!options_.drop_small_components || !reached_.empty()) return;
+    const Multipliers multipliers(mesh_, find_bound_multiplier(mesh_, options_));
     const std::vector<std::uint32_t> kept = locked_vertices(mesh_, options_);
-    dropped_ = meshbound::drop_small_parts(mesh_, bound, multipliers, kept, surface_);
+    dropped_ = meshbound::drop_small_components(mesh_, bound, multipliers, kept, surface_);
     dropped_.triangles += dropped_backs();
 }
 
@@ -90,8 +90,8 @@ std::size_t ReductionRun::dropped_backs() const {
 }
 
 Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span,
-                                      LevelLink* link) {
-    drop_small_parts(bounds[0].absolute);
+                                      LevelMap* link) {
+    drop_small_components(bounds[0].absolute);
     if (reached_.empty()) candidates_ = count_vertices(surface_);
     if (options_.refuse_piercing && !self_intersection_check_)
         self_intersection_check_ = std::make_unique<SelfIntersectionCheck>(mesh_, surface_);
@@ -109,12 +109,12 @@ Report ReductionRun::begin_report_within(const std::vector<ResolvedBound>& bound
     report.non_manifold_vertices = surface_.non_manifold_vertices();
     report.dropped = dropped_;
     report.candidates = candidates_;
-    report.unmet_boxes = unmet_boxes_;
+    report.unused_locked_boxes = unmet_boxes_;
     return report;
 }
 
 /// Up to here the reduction was that of one-sided sheets.
-void ReductionRun::restore_sides(Reduction& reduction, LevelLink* link) const {
+void ReductionRun::restore_sides(Reduction& reduction, LevelMap* link) const {
     if (one_sided_) restore_both_sides(side_labels_, !mesh_.regions.empty(), reduction, link ? &link->map : nullptr);
 }
 
@@ -127,9 +127,9 @@ void ReductionRun::report_what_is_left(Reduction& reduction) const {
     }
 }
 
-Reduction ReductionRun::finish_within(const std::vector<ResolvedBound>& bounds, Waypoint* waypoint) {
+Reduction ReductionRun::finish_within(const std::vector<ResolvedBound>& bounds, Checkpoint* checkpoint) {
     is_last_call_ = true;
-    waypoint_ = waypoint;
+    checkpoint_ = checkpoint;
     return reduce_within(bounds, {});
 }
 
@@ -149,7 +149,7 @@ Mesh ReductionRun::oriented_shape() const {
 
 /// Errors are stored in units of the bounds, so other bounds mean other numbers.
 void ReductionRun::set_bounds(const std::vector<ResolvedBound>& bounds) {
-    auto rows = std::make_unique<Rows>(mesh_, bounds, find_focus(mesh_, options_), surface_.inputs());
+    auto rows = std::make_unique<Rows>(mesh_, bounds, find_bound_multiplier(mesh_, options_), surface_.inputs());
     if (error_model_) error_model_->set_bounds(*rows);
     else error_model_ = make_error_model(options_, *rows, surface_);
     rows_ = std::move(rows);
@@ -182,7 +182,7 @@ std::vector<double> ReductionRun::limits_of_sweeps(const std::vector<ResolvedBou
 }
 
 void ReductionRun::sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction,
-                                    const ProgressSpan& span, LevelLink* link) {
+                                    const ProgressSpan& span, LevelMap* link) {
     set_bounds(bounds);
     record_original_normals();
     if (!reporter_.poll()) return;
@@ -198,23 +198,23 @@ bool ReductionRun::sweep(const std::vector<ResolvedBound>& bounds, ErrorModel& e
     const double swept = span.start + sweeping_share * (span.end - span.start);
     const std::vector<double> limits = limits_of_sweeps(bounds);
     reached_ = bounds;
-    const auto pass_waypoint = [&] {
-        if (!waypoint_) return;
-        Waypoint here = waypoint_here(bounds);
-        if (!reporter_.cancelled()) *waypoint_ = std::move(here); // else its errors are not all measured
+    const auto pass_checkpoint = [&] {
+        if (!checkpoint_) return;
+        Checkpoint here = checkpoint_here(bounds);
+        if (!reporter_.cancelled()) *checkpoint_ = std::move(here); // else its errors are not all measured
     };
-    if (!sweeper.sweep(limits, reporter_, span.start, swept, pass_waypoint)) return false;
+    if (!sweeper.sweep(limits, reporter_, span.start, swept, pass_checkpoint)) return false;
     count_refusals(surface_, sweeper, report);
-    report.turned_before = flipped_before_;
-    report.turned_after = count_flipped_normals();
+    report.flipped_normals_before = flipped_before_;
+    report.flipped_normals_after = count_flipped_normals();
     return true;
 }
 
 /// The current surface. Its errors are measured, not taken from the limit of the sweep: some variables have spent less.
-Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds) {
+Checkpoint ReductionRun::checkpoint_here(const std::vector<ResolvedBound>& bounds) {
     Reduction here;
     here.report = begin_report_within(bounds);
-    here.report.stopped = Stopped::on_the_way;
+    here.report.termination = Termination::intermediate;
     extract_mesh(mesh_, surface_, here);
     extract_errors(surface_, *rows_, *error_model_, here, pool_, reporter_);
     restore_sides(here, nullptr);
@@ -226,13 +226,13 @@ Waypoint ReductionRun::waypoint_here(const std::vector<ResolvedBound>& bounds) {
 /// way of the original moves nothing farther than the sum of both; that is the bound of this map.
 std::unique_ptr<LinkedTracking> ReductionRun::link_from_here(std::vector<ResolvedBound> bounds) const {
     for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i].absolute += reached_[i].absolute;
-    return std::make_unique<LinkedTracking>(dynamic_cast<Tracking&>(*error_model_),
-                                            Rows(mesh_, bounds, find_focus(mesh_, options_), surface_.inputs()),
-                                            surface_, options_);
+    return std::make_unique<LinkedTracking>(
+        dynamic_cast<Tracking&>(*error_model_),
+        Rows(mesh_, bounds, find_bound_multiplier(mesh_, options_), surface_.inputs()), surface_, options_);
 }
 
 /// Fills in all of a finished result; incomplete where the caller cancels. Releases what is no longer needed first.
-void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link) {
+void ReductionRun::report_everything(Reduction& reduction, const LinkedTracking* linked, LevelMap* link) {
     if (is_last_call_) {
         normals_.reset();
         self_intersection_check_.reset();
@@ -263,8 +263,8 @@ void ReductionRun::report_cancelled(Reduction& reduction) const {
     Report report = std::move(reduction.report);
     reduction = {};
     extract_mesh(mesh_, surface_, reduction);
-    report.stopped = Stopped::cancelled;
-    report_limits(Multipliers(mesh_, find_focus(mesh_, options_)), report);
+    report.termination = Termination::cancelled;
+    report_limits(Multipliers(mesh_, find_bound_multiplier(mesh_, options_)), report);
     reduction.report = std::move(report);
 }
 

@@ -5,13 +5,13 @@
 
 #include "errors/error_model.hpp"
 #include "errors/tracked/linked_tracking.hpp"
-#include "meshbound/level_link.hpp"
+#include "meshbound/level_map.hpp"
 #include "meshbound/reduce.hpp"
 #include "metric/rows.hpp"
 #include "retriangulation/original_normals.hpp"
 #include "self_intersection/self_intersection_check.hpp"
 #include "surface/one_sided.hpp"
-#include "surface/small_parts.hpp"
+#include "surface/small_components.hpp"
 #include "surface/surface.hpp"
 #include "util/progress_reporter.hpp"
 #include "util/thread_pool.hpp"
@@ -28,18 +28,18 @@ struct ProgressSpan {
 class ReductionRun {
 public:
     /// The mesh is valid, the options are checked; both outlive the run, as the reporter does.
-    ReductionRun(const Mesh& mesh, const Options& options, const Oddities& oddities, ProgressReporter& reporter);
+    ReductionRun(const Mesh& mesh, const Options& options, const MeshDefects& defects, ProgressReporter& reporter);
 
     /// Removes what these bounds allow, and returns what is left. No bound may be lower than in the call before. Where
     /// the caller cancels, the result is marked as cancelled. `link`, with tracked errors only, is filled with the map
     /// from the surface as it was before the call, unless the caller cancels.
     Reduction reduce_within(const std::vector<ResolvedBound>& bounds, const ProgressSpan& span,
-                            LevelLink* link = nullptr);
+                            LevelMap* link = nullptr);
 
     /// The same as the last call of a run: what only a further call would need is released as soon as possible, which
-    /// keeps the peak memory low. `waypoint`, where given, is filled with the surface before the last sweep; there are
+    /// keeps the peak memory low. `checkpoint`, where given, is filled with the surface before the last sweep; there are
     /// two sweeps at least.
-    Reduction finish_within(const std::vector<ResolvedBound>& bounds, Waypoint* waypoint = nullptr);
+    Reduction finish_within(const std::vector<ResolvedBound>& bounds, Checkpoint* checkpoint = nullptr);
 
     /// The same without a map and without errors of vertices.
     Reduction finish_without_map(const std::vector<ResolvedBound>& bounds);
@@ -47,7 +47,7 @@ public:
 private:
     void orient_surface();
     void make_one_sided();
-    void drop_small_parts(double bound);
+    void drop_small_components(double bound);
     std::size_t dropped_backs() const;
     std::size_t count_flipped_normals() const;
     Mesh oriented_shape() const;
@@ -57,19 +57,19 @@ private:
     std::vector<double> limits_of_sweeps(const std::vector<ResolvedBound>& bounds) const;
     bool sweep(const std::vector<ResolvedBound>& bounds, ErrorModel& error_model, const ProgressSpan& span,
                Report& report);
-    Waypoint waypoint_here(const std::vector<ResolvedBound>& bounds);
+    Checkpoint checkpoint_here(const std::vector<ResolvedBound>& bounds);
     void sweep_and_report(const std::vector<ResolvedBound>& bounds, Reduction& reduction, const ProgressSpan& span,
-                          LevelLink* link);
+                          LevelMap* link);
     Report begin_report_within(const std::vector<ResolvedBound>& bounds) const;
-    void restore_sides(Reduction& reduction, LevelLink* link) const;
+    void restore_sides(Reduction& reduction, LevelMap* link) const;
     void report_what_is_left(Reduction& reduction) const;
-    void report_everything(Reduction& reduction, const LinkedTracking* linked, LevelLink* link);
+    void report_everything(Reduction& reduction, const LinkedTracking* linked, LevelMap* link);
     void count_folds(Reduction& reduction);
     void report_cancelled(Reduction& reduction) const;
 
     const Mesh& mesh_;
     const Options& options_;
-    Oddities oddities_;
+    MeshDefects oddities_;
     ProgressReporter& reporter_;
     ThreadPool pool_;
     std::vector<std::size_t> unmet_boxes_;
@@ -77,7 +77,7 @@ private:
     SideLabels side_labels_;
     std::unique_ptr<OneSided> one_sided_; // where triangles coincide: what the surface is made from
     std::vector<glm::uvec3> oriented_;    // the input's triangles where some were flipped; else empty
-    DroppedParts dropped_;
+    DroppedComponents dropped_;
     std::unique_ptr<Rows> rows_;
     std::unique_ptr<ErrorModel> error_model_;
     std::unique_ptr<OriginalNormals> normals_;
@@ -86,7 +86,7 @@ private:
     std::vector<ResolvedBound> reached_; // the bounds of the last call; empty before the first
     bool is_last_call_ = false;          // no further call
     bool reports_map_ = true;
-    Waypoint* waypoint_ = nullptr; // to be filled on the way
+    Checkpoint* checkpoint_ = nullptr; // to be filled on the way
 };
 
 } // namespace meshbound

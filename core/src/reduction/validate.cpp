@@ -114,8 +114,8 @@ bool has_zero_area(const Mesh& mesh, const glm::uvec3& triangle) {
     return glm::cross(p[1] - p[0], p[2] - p[0]) == glm::dvec3(0);
 }
 
-Oddities find_oddities(const Mesh& mesh, const std::vector<char>& used) {
-    Oddities odd;
+MeshDefects find_oddities(const Mesh& mesh, const std::vector<char>& used) {
+    MeshDefects odd;
     for (const glm::uvec3& triangle : mesh.triangles)
         if (repeats_vertex(triangle)) ++odd.repeated_vertex_triangles;
         else if (has_zero_area(mesh, triangle)) ++odd.zero_area_triangles;
@@ -125,7 +125,7 @@ Oddities find_oddities(const Mesh& mesh, const std::vector<char>& used) {
 
 } // namespace
 
-Status validate(const Mesh& mesh, Oddities* oddities) {
+Status validate(const Mesh& mesh, MeshDefects* defects) {
     if (Status status = check_sizes(mesh); !status.ok()) return status;
     if (Status status = check_triangles(mesh); !status.ok()) return status;
     const std::vector<char> used = find_used_vertices(mesh);
@@ -133,14 +133,14 @@ Status validate(const Mesh& mesh, Oddities* oddities) {
     for (std::size_t i = 0; i < mesh.variables.size(); ++i)
         if (Status status = check_variable(mesh.variables[i], i, vertex_count(mesh)); !status.ok()) return status;
     if (Status status = check_names(mesh); !status.ok()) return status;
-    if (oddities) *oddities = find_oddities(mesh, used);
+    if (defects) *defects = find_oddities(mesh, used);
     return {};
 }
 
-void find_turned(const Mesh& mesh, Oddities& oddities) {
-    if (!has_coincident_triangles(mesh)) return note_orientation(orient(mesh.triangles, vertex_count(mesh)), oddities);
+void find_flipped_triangles(const Mesh& mesh, MeshDefects& defects) {
+    if (!has_coincident_triangles(mesh)) return note_orientation(orient(mesh.triangles, vertex_count(mesh)), defects);
     SideLabels labels;
-    OneSided(mesh, OneSided::Orienting::as_reduced, labels).note(oddities);
+    OneSided(mesh, OneSided::Orienting::as_reduced, labels).note(defects);
 }
 
 } // namespace meshbound

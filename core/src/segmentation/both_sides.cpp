@@ -7,9 +7,9 @@ namespace meshbound {
 namespace {
 
 /// The same point, in the triangle of the sheet that has the same corners.
-MapPlace on_sheet(const MapPlace& place, const Mesh& reduced, const OneSided& sheet) {
+SurfacePoint on_sheet(const SurfacePoint& place, const Mesh& reduced, const OneSided& sheet) {
     if (place.triangle == nowhere) return place;
-    MapPlace here{sheet.triangles_in_shape()[place.triangle], glm::dvec3(0)};
+    SurfacePoint here{sheet.triangles_in_shape()[place.triangle], glm::dvec3(0)};
     if (here.triangle == no_index) return {nowhere, glm::dvec3(0)};
     const glm::uvec3 &from = reduced.triangles[place.triangle], &to = sheet.shape().triangles[here.triangle];
     for (int i = 0; i < 3; ++i)
@@ -20,7 +20,7 @@ MapPlace on_sheet(const MapPlace& place, const Mesh& reduced, const OneSided& sh
 
 SurfaceMap map_onto_sheet(const MappedSurfaces& both, const OneSided& sheet) {
     SurfaceMap map{{}, both.map.crossings};
-    for (const MapPlace& place : both.map.places) map.places.push_back(on_sheet(place, both.reduced, sheet));
+    for (const SurfacePoint& place : both.map.images) map.images.push_back(on_sheet(place, both.reduced, sheet));
     return map;
 }
 

@@ -29,10 +29,10 @@ Status check_surface(const char* which, const Mesh& mesh) {
 
 Status check_counts(const MappedSurfaces& surfaces) {
     const std::size_t original = vertex_count(surfaces.original), reduced = vertex_count(surfaces.reduced);
-    const std::size_t places = surfaces.map.places.size(), vertices = surfaces.vertices.size();
+    const std::size_t places = surfaces.map.images.size(), vertices = surfaces.vertices.size();
     if (places != original)
         return {Fault::bad_map,
-                "The map has " + text(places) + " places, but the original has " + text(original) +
+                "The map has " + text(places) + " images, but the original has " + text(original) +
                     " vertices; there must be one for each.",
                 "",
                 {}};
@@ -46,7 +46,7 @@ Status check_counts(const MappedSurfaces& surfaces) {
 }
 
 Status check_vertices(const MappedSurfaces& surfaces) {
-    return check_kept_vertices("the reduced mesh", surfaces.vertices, surfaces.map.places.size(), Fault::bad_map);
+    return check_kept_vertices("the reduced mesh", surfaces.vertices, surfaces.map.images.size(), Fault::bad_map);
 }
 
 /// NaN fails.
@@ -58,8 +58,8 @@ bool are_shares(const glm::dvec3& w) {
 
 Status check_places(const MappedSurfaces& surfaces) {
     const std::size_t triangles = surfaces.reduced.triangles.size();
-    for (std::size_t v = 0; v < surfaces.map.places.size(); ++v) {
-        const auto& [triangle, w] = surfaces.map.places[v];
+    for (std::size_t v = 0; v < surfaces.map.images.size(); ++v) {
+        const auto& [triangle, w] = surfaces.map.images[v];
         if (triangle == nowhere) continue;
         if (triangle >= triangles)
             return bad_map("The map puts vertex " + text(v) + " into triangle " + text(triangle) +
@@ -74,7 +74,7 @@ Status check_places(const MappedSurfaces& surfaces) {
     return {};
 }
 
-bool is_at_corner(const MappedSurfaces& surfaces, const MapPlace& place, std::uint32_t reduced_vertex) {
+bool is_at_corner(const MappedSurfaces& surfaces, const SurfacePoint& place, std::uint32_t reduced_vertex) {
     if (place.triangle == nowhere) return false;
     const glm::uvec3& triangle = surfaces.reduced.triangles[place.triangle];
     for (int i = 0; i < 3; ++i)
@@ -86,7 +86,7 @@ bool is_at_corner(const MappedSurfaces& surfaces, const MapPlace& place, std::ui
 Status check_kept(const MappedSurfaces& surfaces) {
     for (std::uint32_t v = 0; v < surfaces.vertices.size(); ++v) {
         const std::uint32_t vertex = surfaces.vertices[v];
-        if (!is_at_corner(surfaces, surfaces.map.places[vertex], v))
+        if (!is_at_corner(surfaces, surfaces.map.images[vertex], v))
             return bad_map("The map puts vertex " + text(vertex) + " elsewhere than at vertex " + text(v) +
                                " of the reduced mesh, which is said to be the same.",
                            vertex);
@@ -97,12 +97,12 @@ Status check_kept(const MappedSurfaces& surfaces) {
 /// A triangle is mapped as a whole, or not at all where its component was dropped.
 Status check_triangles(const MappedSurfaces& surfaces) {
     const std::vector<glm::uvec3>& triangles = surfaces.original.triangles;
-    const auto is_mapped = [&](std::uint32_t vertex) { return surfaces.map.places[vertex].triangle != nowhere; };
+    const auto is_mapped = [&](std::uint32_t vertex) { return surfaces.map.images[vertex].triangle != nowhere; };
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         if (repeats_vertex(triangles[t])) continue;
         const bool first = is_mapped(triangles[t].x);
         if (is_mapped(triangles[t].y) != first || is_mapped(triangles[t].z) != first)
-            return bad_map("The map has places for some vertices of triangle " + text(t) + " and none for others.", t);
+            return bad_map("The map has images for some vertices of triangle " + text(t) + " and none for others.", t);
     }
     return {};
 }
@@ -115,7 +115,7 @@ bool is_inner_edge(const FaceLookup& faces, const glm::uvec2& edge) {
 std::string fault_of_crossing(const MappedSurfaces& surfaces, const FaceLookup& faces, std::size_t n) {
     const std::vector<MapCrossing>& crossings = surfaces.map.crossings;
     const MapCrossing& here = crossings[n];
-    const std::size_t vertices = surfaces.map.places.size();
+    const std::size_t vertices = surfaces.map.images.size();
     if (here.original.x >= here.original.y || here.original.y >= vertices)
         return "on the edge " + text(here.original) + " of the original, which has " + text(vertices) +
                " vertices (counted from 0); the lower one comes first";
@@ -162,7 +162,7 @@ Status check_map(const MappedSurfaces& surfaces) {
 }
 
 Status check_crossings_met(const MappedSurfaces& surfaces, const Segmentation& segmentation) {
-    const std::size_t vertices = surfaces.map.places.size();
+    const std::size_t vertices = surfaces.map.images.size();
     std::vector<bool> met(surfaces.map.crossings.size(), false);
     for (const std::uint32_t corner : segmentation.corners)
         if (corner >= vertices) met[corner - vertices] = true;

@@ -14,13 +14,13 @@
 namespace meshbound {
 namespace {
 
-using MorphPlaces = std::vector<MorphPlace>;
+using MorphPlaces = std::vector<MorphPoint>;
 
-MorphPlace on_edge(const glm::uvec2& edge, double share) { return {{edge.x, edge.y, edge.x}, {1 - share, share, 0}}; }
+MorphPoint on_edge(const glm::uvec2& edge, double share) { return {{edge.x, edge.y, edge.x}, {1 - share, share, 0}}; }
 
 MorphPlaces on_finer(const MappedSurfaces& surfaces) {
     MorphPlaces corners;
-    for (std::uint32_t vertex = 0; vertex < surfaces.map.places.size(); ++vertex)
+    for (std::uint32_t vertex = 0; vertex < surfaces.map.images.size(); ++vertex)
         corners.push_back({glm::uvec3(vertex), {1, 0, 0}});
     for (const MapCrossing& crossing : surfaces.map.crossings)
         corners.push_back(on_edge(crossing.original, crossing.s));
@@ -30,10 +30,10 @@ MorphPlaces on_finer(const MappedSurfaces& surfaces) {
 /// A vertex that no triangle uses has no image: any point will do (see leave_unused).
 MorphPlaces on_coarser(const MappedSurfaces& surfaces) {
     MorphPlaces corners;
-    for (const MapPlace& place : surfaces.map.places)
+    for (const SurfacePoint& place : surfaces.map.images)
         corners.push_back(place.triangle == nowhere
-                              ? MorphPlace{}
-                              : MorphPlace{surfaces.reduced.triangles[place.triangle], place.barycentric});
+                              ? MorphPoint{}
+                              : MorphPoint{surfaces.reduced.triangles[place.triangle], place.barycentric});
     for (const MapCrossing& crossing : surfaces.map.crossings) corners.push_back(on_edge(crossing.reduced, crossing.t));
     return corners;
 }
@@ -45,8 +45,8 @@ void leave_unused(const SurfaceMap& map, const std::vector<Variable>& finer, std
             [&](auto& values) {
                 const auto& still = std::get<std::decay_t<decltype(values)>>(finer[i].values);
                 const auto components = static_cast<std::size_t>(finer[i].components);
-                for (std::size_t vertex = 0; vertex < map.places.size(); ++vertex)
-                    if (map.places[vertex].triangle == nowhere)
+                for (std::size_t vertex = 0; vertex < map.images.size(); ++vertex)
+                    if (map.images[vertex].triangle == nowhere)
                         std::copy_n(&still[vertex * components], components, &values[vertex * components]);
             },
             coarser[i].values);
@@ -54,7 +54,7 @@ void leave_unused(const SurfaceMap& map, const std::vector<Variable>& finer, std
 
 /// One component at a point. A weight of 1 gives the vertex's own value, bit for bit (a negative zero, too).
 template <class Number>
-Number mixed(const std::vector<Number>& values, int components, const MorphPlace& place, int component) {
+Number mixed(const std::vector<Number>& values, int components, const MorphPoint& place, int component) {
     double sum = 0;
     for (int i = 0; i < 3; ++i) {
         if (place.weights[i] == 0) continue;
@@ -71,7 +71,7 @@ Variable at_corners(const VariableView& variable, const MorphPlaces& corners) {
     const auto mix = [&](const auto& values) -> Values {
         std::decay_t<decltype(values)> mixtures;
         mixtures.reserve(corners.size() * static_cast<std::size_t>(variable.components));
-        for (const MorphPlace& corner : corners)
+        for (const MorphPoint& corner : corners)
             for (int component = 0; component < variable.components; ++component)
                 mixtures.push_back(mixed(values, variable.components, corner, component));
         return mixtures;
@@ -82,7 +82,7 @@ Variable at_corners(const VariableView& variable, const MorphPlaces& corners) {
 void place_corners(const Mesh& mesh, MorphPlaces corners, MorphEnd& end) {
     for (std::size_t i = 0; i < variable_count(mesh); ++i)
         end.variables.push_back(at_corners(variable_of(mesh, i), corners));
-    end.places = std::move(corners);
+    end.points = std::move(corners);
 }
 
 /// At either end what stands there, also where the other end has no number.

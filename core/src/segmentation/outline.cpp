@@ -11,7 +11,7 @@ std::uint64_t edge_key(std::uint32_t lower, std::uint32_t upper) { return std::u
 
 Outlines::Outlines(const MappedSurfaces& surfaces, const FaceLookup& reduced_faces)
     : original_(&surfaces.original), reduced_(&surfaces.reduced), map_(&surfaces.map), faces_(&reduced_faces),
-      kept_as_(surfaces.map.places.size(), nowhere), has_crossed_edge_(surfaces.map.places.size(), 0) {
+      kept_as_(surfaces.map.images.size(), nowhere), has_crossed_edge_(surfaces.map.images.size(), 0) {
     for (std::uint32_t v = 0; v < surfaces.vertices.size(); ++v) kept_as_[surfaces.vertices[v]] = v;
     crossings_.reserve(map_->crossings.size());
     for (std::uint32_t n = 0; n < map_->crossings.size(); ++n) {
@@ -37,14 +37,14 @@ void Outlines::add_vertex(std::uint32_t vertex, Outline& outline) const {
     step.corner = vertex;
     step.kept = kept_as_[vertex];
     if (!step.is_kept()) {
-        step.curve = curve_at(map_->places[vertex]);
-        if (!step.is_on_curve()) step.before = step.after = map_->places[vertex].triangle;
+        step.curve = curve_at(map_->images[vertex]);
+        if (!step.is_on_curve()) step.before = step.after = map_->images[vertex].triangle;
     }
     outline.push_back(step);
 }
 
 /// The edge at which sheets meet and on which a point lies, or nowhere.
-glm::uvec2 Outlines::curve_at(const MapPlace& place) const {
+glm::uvec2 Outlines::curve_at(const SurfacePoint& place) const {
     const glm::uvec3& triangle = reduced_->triangles[place.triangle];
     for (int i = 0; i < 3; ++i) {
         if (place.barycentric[i] != 0) continue;

@@ -37,7 +37,7 @@ public:
     void trace(std::uint32_t triangle, Outline& outline) const;
 
 private:
-    glm::uvec2 curve_at(const MapPlace& place) const;
+    glm::uvec2 curve_at(const SurfacePoint& place) const;
     void add_vertex(std::uint32_t vertex, Outline& outline) const;
     void add_crossings(std::uint32_t from, std::uint32_t to, Outline& outline) const;
 

@@ -98,7 +98,7 @@ private:
 bool Segmenter::add(std::uint32_t triangle, Segmentation& segmentation) {
     const glm::uvec3& corners = surfaces_.original.triangles[triangle];
     if (repeats_vertex(corners)) return true;
-    if (surfaces_.map.places[corners.x].triangle == nowhere) return true; // of a component that was dropped
+    if (surfaces_.map.images[corners.x].triangle == nowhere) return true; // of a component that was dropped
     outlines_.trace(triangle, outline_);
     std::size_t cell = segmentation.cells.size();
     cutter_.cut(triangle, outline_, segmentation);
@@ -113,8 +113,8 @@ bool Segmenter::cut_into_pieces(SegmentationCell& cell, Segmentation& segmentati
     const std::uint32_t* corners = &segmentation.corners[cell.first_corner];
     corners_.clear();
     for (std::uint32_t i = 0; i < cell.corner_count; ++i)
-        corners_.push_back(
-            {place_in_original(surfaces_, cell, corners[i]), place_in_reduced(surfaces_, cell, corners[i])});
+        corners_.push_back({barycentric_in_original(surfaces_, cell, corners[i]),
+                            barycentric_in_reduced(surfaces_, cell, corners[i])});
     if (!std::all_of(corners_.begin(), corners_.end(), lies_inside)) return false;
     const std::size_t folded_before = segmentation.folded_pieces, sides = sides_of(sides_, cell.original);
     const auto both = static_cast<double>(sides);
@@ -222,22 +222,22 @@ constexpr std::size_t triangles_per_chunk = 1024;
 
 } // namespace
 
-glm::dvec3 place_in_original(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner) {
+glm::dvec3 barycentric_in_original(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner) {
     const glm::uvec3& triangle = surfaces.original.triangles[cell.original];
-    const std::size_t vertices = surfaces.map.places.size();
+    const std::size_t vertices = surfaces.map.images.size();
     if (corner < vertices) return barycentric_at_vertex(triangle, corner);
     const MapCrossing& crossing = surfaces.map.crossings[corner - vertices];
     return barycentric_on_edge(triangle, crossing.original, crossing.s);
 }
 
-glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner) {
+glm::dvec3 barycentric_in_reduced(const MappedSurfaces& surfaces, const SegmentationCell& cell, std::uint32_t corner) {
     const glm::uvec3& triangle = surfaces.reduced.triangles[cell.reduced];
-    const std::size_t vertices = surfaces.map.places.size();
+    const std::size_t vertices = surfaces.map.images.size();
     if (corner >= vertices) {
         const MapCrossing& crossing = surfaces.map.crossings[corner - vertices];
         return barycentric_on_edge(triangle, crossing.reduced, crossing.t);
     }
-    const MapPlace& place = surfaces.map.places[corner];
+    const SurfacePoint& place = surfaces.map.images[corner];
     if (place.triangle == cell.reduced) return place.barycentric;
     // A kept vertex, or one on a curve, whose image is given in a neighbouring triangle.
     glm::dvec3 here(0);
@@ -247,7 +247,7 @@ glm::dvec3 place_in_reduced(const MappedSurfaces& surfaces, const SegmentationCe
 }
 
 Folds count_folds(const MappedSurfaces& surfaces, const Sides& sides, ThreadPool& pool, ProgressReporter& reporter) {
-    if (surfaces.map.places.empty()) return {};
+    if (surfaces.map.images.empty()) return {};
     const Prepared prepared(surfaces, sides);
     pool.start();
     std::vector<FoldCounter> counters(pool.size(), FoldCounter(prepared));
@@ -263,7 +263,7 @@ Folds count_folds(const MappedSurfaces& surfaces, const Sides& sides, ThreadPool
 Status segment(const MappedSurfaces& surfaces, Segmentation& segmentation, const Progress& progress) {
     try {
         Segmentation cut;
-        if (!surfaces.map.places.empty() || !surfaces.map.crossings.empty()) {
+        if (!surfaces.map.images.empty() || !surfaces.map.crossings.empty()) {
             if (Status status = check_map(surfaces); !status.ok()) return status;
             if (Status status = segment_checked(surfaces, cut, progress); !status.ok()) return status;
         }

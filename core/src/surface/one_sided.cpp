@@ -71,7 +71,7 @@ void negate_signs(const SideLabels& labels, const std::vector<std::int32_t>& sid
 }
 
 void renumber(const std::vector<std::uint32_t>& fronts, SurfaceMap& map) {
-    for (MapPlace& place : map.places)
+    for (SurfacePoint& place : map.images)
         if (place.triangle != nowhere) place.triangle = fronts[place.triangle];
 }
 
@@ -130,7 +130,7 @@ void OneSided::orient_sides() {
     for (const std::uint32_t back : backs_) two_sided.push_back(back != no_index);
     const Orientation orientation = orient(shape_.triangles, vertex_count(shape_), two_sided);
     flipped_ = orientation.flipped;
-    unorientable_parts_ = orientation.unorientable_parts;
+    unorientable_parts_ = orientation.unorientable_components;
     if (unorientable_parts_ > 0) unorientable_triangle_ = fronts_[orientation.unorientable_triangle];
     for (std::size_t t = 0; t < fronts_.size(); ++t)
         if (two_sided[t] && orientation.triangles[t] != shape_.triangles[t]) std::swap(fronts_[t], backs_[t]);
@@ -143,12 +143,12 @@ std::vector<std::uint8_t> OneSided::sides() const {
     return sides;
 }
 
-void OneSided::note(Oddities& oddities) const {
-    oddities.turned_triangles = flipped_;
-    oddities.unorientable_parts = unorientable_parts_;
-    oddities.unorientable_triangle = unorientable_triangle_;
-    oddities.copied_triangles = copies_.size();
-    oddities.two_sided_triangles =
+void OneSided::note(MeshDefects& defects) const {
+    defects.flipped_triangles = flipped_;
+    defects.unorientable_components = unorientable_parts_;
+    defects.unorientable_triangle = unorientable_triangle_;
+    defects.copied_triangles = copies_.size();
+    defects.two_sided_triangles =
         backs_.size() - static_cast<std::size_t>(std::count(backs_.begin(), backs_.end(), no_index));
 }
 

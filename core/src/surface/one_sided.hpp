@@ -59,7 +59,7 @@ public:
     /// The triangles of the mesh that are copies, rising.
     const std::vector<std::uint32_t>& copies() const { return copies_; }
     /// Fills in what is reported of it.
-    void note(Oddities& oddities) const;
+    void note(MeshDefects& defects) const;
 
 private:
     void find_sides(const Mesh& mesh);

@@ -20,19 +20,19 @@ Mesh plate() {
 int main() {
     const Mesh mesh = plate();
     const Bounds bounds = {{"*", relative(0.01)}};
-    Oddities oddities;
+    MeshDefects defects;
     std::vector<ResolvedBound> resolved;
-    if (!validate(mesh, &oddities).ok() || !resolve_bounds(mesh, bounds, resolved).ok()) return 1;
-    find_turned(mesh, oddities);
+    if (!validate(mesh, &defects).ok() || !resolve_bounds(mesh, bounds, resolved).ok()) return 1;
+    find_flipped_triangles(mesh, defects);
 
     Reduction reduction;
-    Waypoint waypoint;
-    if (const Status status = reduce(mesh, bounds, {}, reduction, {}, &waypoint); !status.ok()) {
+    Checkpoint checkpoint;
+    if (const Status status = reduce(mesh, bounds, {}, reduction, {}, &checkpoint); !status.ok()) {
         std::cerr << fault_name(status.fault) << ": " << status.message << '\n';
         return 1;
     }
     Reduction onward;
-    if (!reduce_onward(waypoint, {{"*", relative(0.1)}}, {}, onward).ok()) return 1;
+    if (!resume_reduction(checkpoint, {{"*", relative(0.1)}}, {}, onward).ok()) return 1;
 
     Levels levels;
     if (!reduce_levels(mesh, {bounds}, {}, levels).ok()) return 1;
@@ -42,8 +42,8 @@ int main() {
     if (!segment(surfaces, segmentation).ok() || !make_morph(surfaces, morph).ok()) return 1;
     const SegmentationCell& cell = segmentation.cells.front();
     const std::uint32_t corner = segmentation.corners.front();
-    const double sum =
-        glm::dvec3(place_in_original(surfaces, cell, corner)).x + place_in_reduced(surfaces, cell, corner).x;
+    const double sum = glm::dvec3(barycentric_in_original(surfaces, cell, corner)).x +
+                       barycentric_in_reduced(surfaces, cell, corner).x;
 
     const bool sound = morphed(morph, 0.5).triangles.size() >= reduction.mesh.triangles.size() && sum >= 0 &&
                        !feature_size(mesh, 1).has_value() && value_count(gather(mesh.position, {0, 1})) == 6 &&

@@ -6,7 +6,7 @@
 namespace meshbound {
 
 PropagatedRemoval::PropagatedRemoval(const Rows& rows, std::vector<ErrorInterval>& intervals,
-                                     std::vector<double>& least, Cost cost)
+                                     std::vector<double>& least, RetriangulationCost cost)
     : rows_(rows), intervals_(intervals), least_(least), cost_(cost), introduced_(width()) {}
 
 void PropagatedRemoval::enter(const Hole& hole) {
@@ -15,7 +15,8 @@ void PropagatedRemoval::enter(const Hole& hole) {
 }
 
 double PropagatedRemoval::diagonal(int i, int j) {
-    if (cost_ == Cost::maximum) return 0; // charged with the triangles, whose intervals hold the crossings
+    if (cost_ == RetriangulationCost::maximum)
+        return 0; // charged with the triangles, whose intervals hold the crossings
     double sum = 0;
     const RingRange range = crossed_spokes(*hole_, i, j);
     for (int n = 0; n < range.count; ++n)
@@ -24,7 +25,7 @@ double PropagatedRemoval::diagonal(int i, int j) {
 }
 
 double PropagatedRemoval::triangle(int a, int m, int b, double) {
-    if (cost_ == Cost::introduced)
+    if (cost_ == RetriangulationCost::introduced)
         return contains_candidate(*hole_, a, m, b) ? squared_ratio(map_.candidate(a, m, b), rows_.groups()) : 0;
     fresh_.resize(width());
     propagate(a, m, b, fresh_.data());

@@ -14,7 +14,8 @@ class PropagatedRemoval final : public RemovalErrorModel, private HoleCost {
 public:
     /// `intervals`: [slot * (width of a row + 1) + component].
     /// `least`: by slot the least multiplier; empty where the bounds do not vary.
-    PropagatedRemoval(const Rows& rows, std::vector<ErrorInterval>& intervals, std::vector<double>& least, Cost cost);
+    PropagatedRemoval(const Rows& rows, std::vector<ErrorInterval>& intervals, std::vector<double>& least,
+                      RetriangulationCost cost);
 
     void enter(const Hole& hole) override;
     /// Closing edges are parameterized by length, which is the same for all stars.
@@ -37,7 +38,7 @@ private:
     const Rows& rows_;
     std::vector<ErrorInterval>& intervals_;
     std::vector<double>& least_;
-    Cost cost_;
+    RetriangulationCost cost_;
     const Hole* hole_ = nullptr;
     StarMap map_;
     std::vector<ErrorInterval> fresh_; // as intervals_, for the new triangles of the removal measured last

@@ -9,7 +9,7 @@
 
 namespace meshbound {
 
-Propagation::Propagation(const Rows& rows, const Surface& surface, Cost cost)
+Propagation::Propagation(const Rows& rows, const Surface& surface, RetriangulationCost cost)
     : rows_(&rows), cost_(cost), intervals_(surface.slot_count() * width()) {
     if (!rows.multipliers().vary()) return;
     const auto multiplier = [&](std::uint32_t h) { return rows.multipliers().at(surface.origin(h)); };

@@ -23,7 +23,7 @@ namespace meshbound {
 /// distances along normals that differ from step to step bounds nothing. The signed distance is kept as a diagnostic.
 class Propagation final : public ErrorModel {
 public:
-    Propagation(const Rows& rows, const Surface& surface, Cost cost);
+    Propagation(const Rows& rows, const Surface& surface, RetriangulationCost cost);
 
     std::unique_ptr<RemovalErrorModel> make_removal_model() override;
     void set_bounds(const Rows& rows) override;
@@ -33,7 +33,7 @@ private:
     std::size_t width() const { return static_cast<std::size_t>(rows_->width()) + 1; }
 
     const Rows* rows_;
-    Cost cost_;
+    RetriangulationCost cost_;
     std::vector<ErrorInterval> intervals_; // [slot * width + component]
     std::vector<double> least_;            // by slot: the multiplier of every point mapped into it is no lower
 };

@@ -102,20 +102,20 @@ void LinkedTracking::errors(std::uint32_t slot, std::vector<ErrorRange>& ranges)
 
 void LinkedTracking::extract(const std::vector<std::uint32_t>& reduced_vertex,
                              const std::vector<std::uint32_t>& reduced_triangle,
-                             const std::vector<std::uint32_t>& coarser_vertices, LevelLink& link,
+                             const std::vector<std::uint32_t>& coarser_vertices, LevelMap& link,
                              ProgressReporter& reporter) const {
     const Indices in_finer(finer_vertices_);
     for (const std::uint32_t vertex : coarser_vertices) link.vertices.push_back(in_finer[vertex]);
     SurfaceMap map;
     extract_map(*surface_, from_finer_, reduced_vertex, reduced_triangle, map, reporter);
-    for (const std::uint32_t vertex : finer_vertices_) link.map.places.push_back(map.places[vertex]);
+    for (const std::uint32_t vertex : finer_vertices_) link.map.images.push_back(map.images[vertex]);
     link.map.crossings = std::move(map.crossings);
     for (MapCrossing& crossing : link.map.crossings)
         crossing.original = {in_finer[crossing.original.x], in_finer[crossing.original.y]};
     extract_errors(link, reporter);
 }
 
-void LinkedTracking::extract_errors(LevelLink& link, ProgressReporter& reporter) const {
+void LinkedTracking::extract_errors(LevelMap& link, ProgressReporter& reporter) const {
     link.errors.assign(rows_.groups().size(), 0);
     std::vector<ErrorRange> ranges;
     for (std::uint32_t slot = 0; slot < surface_->slot_count() && reporter.advance(1); ++slot) {

@@ -6,7 +6,7 @@
 
 #include "errors/error_model.hpp"
 #include "errors/tracked/tracking.hpp"
-#include "meshbound/level_link.hpp"
+#include "meshbound/level_map.hpp"
 #include "util/progress_reporter.hpp"
 
 namespace meshbound {
@@ -26,10 +26,10 @@ public:
     /// The map from the finer level, and its largest errors. `reduced_vertex` and `reduced_triangle` lead to the
     /// coarser level, of `coarser_vertices`. Stops where the caller cancels, incomplete.
     void extract(const std::vector<std::uint32_t>& reduced_vertex, const std::vector<std::uint32_t>& reduced_triangle,
-                 const std::vector<std::uint32_t>& coarser_vertices, LevelLink& link, ProgressReporter& reporter) const;
+                 const std::vector<std::uint32_t>& coarser_vertices, LevelMap& link, ProgressReporter& reporter) const;
 
 private:
-    void extract_errors(LevelLink& link, ProgressReporter& reporter) const;
+    void extract_errors(LevelMap& link, ProgressReporter& reporter) const;
 
     Tracking& from_original_;
     Rows rows_;

@@ -12,8 +12,8 @@ namespace meshbound {
 namespace {
 
 /// The point at `share` along half-edge h, in the triangle of h.
-MapPlace point_on_edge(std::uint32_t h, double share, const std::vector<std::uint32_t>& reduced_triangle) {
-    MapPlace point{reduced_triangle[Surface::triangle_of(h)], glm::dvec3(0)};
+SurfacePoint point_on_edge(std::uint32_t h, double share, const std::vector<std::uint32_t>& reduced_triangle) {
+    SurfacePoint point{reduced_triangle[Surface::triangle_of(h)], glm::dvec3(0)};
     point.barycentric[static_cast<int>(h % 3)] = 1 - share;
     point.barycentric[static_cast<int>(Surface::next(h) % 3)] = share;
     return point;
@@ -24,8 +24,8 @@ MapPlace point_on_edge(std::uint32_t h, double share, const std::vector<std::uin
 constexpr double least_weight = 1e-300;
 
 /// The image of a vertex that is mapped onto the edge of half-edge h.
-MapPlace point_inside_edge(std::uint32_t h, double share, const std::vector<std::uint32_t>& reduced_triangle) {
-    MapPlace point = point_on_edge(h, share, reduced_triangle);
+SurfacePoint point_inside_edge(std::uint32_t h, double share, const std::vector<std::uint32_t>& reduced_triangle) {
+    SurfacePoint point = point_on_edge(h, share, reduced_triangle);
     for (const std::uint32_t end : {h, Surface::next(h)}) {
         double& weight = point.barycentric[static_cast<int>(end % 3)];
         weight = std::max(weight, least_weight);
@@ -36,12 +36,12 @@ MapPlace point_inside_edge(std::uint32_t h, double share, const std::vector<std:
 void write_mapped_vertices(const Surface& surface, const MappedVertices& mapped_vertices, std::uint32_t slot,
                            const std::vector<std::uint32_t>& reduced_triangle, SurfaceMap& map) {
     for (std::uint32_t v = mapped_vertices.in_triangle(slot); v != no_index; v = mapped_vertices.next(v))
-        map.places[surface.input(v)] = {reduced_triangle[slot], mapped_vertices.barycentric(v)};
+        map.images[surface.input(v)] = {reduced_triangle[slot], mapped_vertices.barycentric(v)};
     for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h) {
-        map.places[surface.input(surface.origin(h))] = point_on_edge(h, 0, reduced_triangle);
+        map.images[surface.input(surface.origin(h))] = point_on_edge(h, 0, reduced_triangle);
         const bool canonical = surface.origin(h) < surface.target(h);
         for (std::uint32_t v = mapped_vertices.on_edge(surface.edge(h)); v != no_index; v = mapped_vertices.next(v))
-            map.places[surface.input(v)] = point_inside_edge(
+            map.images[surface.input(v)] = point_inside_edge(
                 h, canonical ? mapped_vertices.share(v) : 1 - mapped_vertices.share(v), reduced_triangle);
     }
 }
@@ -84,7 +84,7 @@ public:
 
     /// Writes down the errors of a vertex; nothing where it is in no triangle.
     void compare(std::size_t vertex, std::vector<VertexErrors>& errors) {
-        const MapPlace& point = reduction_.map.places[vertex];
+        const SurfacePoint& point = reduction_.map.images[vertex];
         if (point.triangle == nowhere) return;
         const glm::dvec3 normal = subtract(surface_.first_vertex_of(static_cast<std::uint32_t>(vertex)), point);
         for (const RowGroup& group : rows_.groups()) write(group, normal, vertex, errors[group.variable]);
@@ -92,7 +92,7 @@ public:
 
 private:
     /// The row of a vertex less that of its image; returns the normal of the triangle there.
-    glm::dvec3 subtract(std::uint32_t vertex, const MapPlace& point) {
+    glm::dvec3 subtract(std::uint32_t vertex, const SurfacePoint& point) {
         const glm::uvec3& triangle = reduction_.mesh.triangles[point.triangle];
         const auto input = [&](int corner) { return surface_.first_vertex_of(reduction_.vertices[triangle[corner]]); };
         const double *row = rows_[vertex], *p = rows_[input(0)], *q = rows_[input(1)], *r = rows_[input(2)];
@@ -131,7 +131,7 @@ constexpr std::size_t vertices_per_chunk = 1024;
 
 void extract_map(const Surface& surface, const Tracking& tracking, const std::vector<std::uint32_t>& reduced_vertex,
                  const std::vector<std::uint32_t>& reduced_triangle, SurfaceMap& map, ProgressReporter& reporter) {
-    map.places.assign(surface.input_count(), {});
+    map.images.assign(surface.input_count(), {});
     for (std::uint32_t slot = 0; slot < surface.slot_count(); ++slot) {
         if (!reporter.advance(1)) return;
         if (surface.alive(slot))
@@ -155,7 +155,7 @@ void extract_map(const Surface& surface, const Tracking& tracking, const std::ve
 
 void extract_vertex_errors(const Rows& rows, const Surface& surface, const Reduction& reduction,
                            std::vector<VertexErrors>& errors, ThreadPool& pool, ProgressReporter& reporter) {
-    const std::size_t vertices = reduction.map.places.size();
+    const std::size_t vertices = reduction.map.images.size();
     errors.assign(rows.groups().size(), {});
     for (const RowGroup& group : rows.groups()) {
         errors[group.variable].error.resize(vertices, 0);

@@ -7,10 +7,10 @@ namespace meshbound {
 TrackedRemoval::TrackedRemoval(const Rows& rows, const BoundedRows& bounded_rows, const Surface& surface,
                                TrackedMap& map, const Options& options, double relocation_threshold)
     : rows_(rows), bounded_rows_(bounded_rows), surface_(surface), map_(map), free_list_(map.crossings),
-      optimize_images_(options.choose_places), relocation_threshold_(relocation_threshold), content_(surface),
+      optimize_images_(options.optimize_vertex_images), relocation_threshold_(relocation_threshold), content_(surface),
       products_(bounded_rows), cost_(bounded_rows, products_),
-      relocation_(bounded_rows, products_, options.choose_places),
-      tracing_(bounded_rows, products_, map, options.choose_crossings) {}
+      relocation_(bounded_rows, products_, options.optimize_vertex_images),
+      tracing_(bounded_rows, products_, map, options.optimize_edge_crossings) {}
 
 void TrackedRemoval::enter(const Hole& hole) {
     hole_ = &hole;

@@ -11,19 +11,19 @@ import { groupStyle } from './group-style.ts';
 import { numberInput, parseNumber, parseWithin } from './number-input.ts';
 import { placeInSight, proposed } from './proposed-place.ts';
 
-/** Of a focus that is proposed: its radius as a share of the surface's size, and its factor. */
+/** Of a focus point that is proposed: its radius as a share of the surface's size, and its factor. */
 const proposedRadius = 0.1;
 const proposedFactor = 0.1;
 
-const parseRadius = parseWithin((radius) => radius > 0, pageEnglish.focus.badRadius);
-const parseFactor = parseWithin((factor) => factor > 0 && factor <= 1, pageEnglish.focus.badFactor);
+const parseRadius = parseWithin((radius) => radius > 0, pageEnglish.multiplier.badRadius);
+const parseFactor = parseWithin((factor) => factor > 0 && factor <= 1, pageEnglish.multiplier.badFactor);
 
 /**
  * What multiplies the bounds, out of the way until it is opened.
  *
  * @fires keeping-change with what of the Keeping is another
  */
-export class FocusChoice extends LitElement {
+export class MultiplierChoice extends LitElement {
   static override properties = {
     surface: { attribute: false },
     keeping: { attribute: false },
@@ -47,46 +47,48 @@ export class FocusChoice extends LitElement {
   }
 
   override render() {
-    const { focus, focusPoint } = this.keeping;
+    const { boundMultiplier, focusPoint } = this.keeping;
     return html`<details @toggle=${() => this.scrollIntoView({ block: 'nearest' })}>
       <summary>
-        ${pageEnglish.focus.title}
-        <span class="small soft">${pageEnglish.focus.now(focus, focusPoint && String(focusPoint.factor))}</span>
+        ${pageEnglish.multiplier.title}
+        <span class="small soft">${pageEnglish.multiplier.now(boundMultiplier, focusPoint && String(focusPoint.factor))}</span>
       </summary>
       ${this.#variable()}
-      ${tick(pageEnglish.focus.point, focusPoint !== null, (wanted) =>
+      ${tick(pageEnglish.multiplier.point, focusPoint !== null, (wanted) =>
         this.#change({ focusPoint: wanted ? this.#proposed() : null }),
       )}
       ${focusPoint ? this.#point(focusPoint) : nothing}
-      <p class="small soft">${pageEnglish.focus.means}</p>
+      <p class="small soft">${pageEnglish.multiplier.means}</p>
     </details>`;
   }
 
   #variable() {
-    const { focus } = this.keeping;
+    const { boundMultiplier } = this.keeping;
     const able = this.#ableNames();
-    const names = focus === null || able.includes(focus) ? able : [focus, ...able];
-    if (names.length === 0) return html`<p class="small soft">${pageEnglish.focus.noVariable}</p>`;
-    const options = [['', pageEnglish.focus.nothing], ...names.map((name) => [name, name])];
-    return choice(pageEnglish.focus.variable, options, focus ?? '', (name) => this.#change({ focus: name || null }));
+    const names = boundMultiplier === null || able.includes(boundMultiplier) ? able : [boundMultiplier, ...able];
+    if (names.length === 0) return html`<p class="small soft">${pageEnglish.multiplier.noVariable}</p>`;
+    const options = [['', pageEnglish.multiplier.nothing], ...names.map((name) => [name, name])];
+    return choice(pageEnglish.multiplier.variable, options, boundMultiplier ?? '', (name) =>
+      this.#change({ boundMultiplier: name || null }),
+    );
   }
 
   #point(focus: FocusPoint) {
     const size = this.#size;
     const place = (axis: number) =>
-      numberInput(pageEnglish.focus.at('xyz'[axis]), focus.point[axis], size, parseNumber, (value) => {
+      numberInput(pageEnglish.multiplier.at('xyz'[axis]), focus.point[axis], size, parseNumber, (value) => {
         const [x, y, z] = focus.point.map((each, i) => (i === axis ? value : each));
         this.#change({ focusPoint: { ...focus, point: [x, y, z] } });
       });
     return html`<div class="places">
-        <span class="small">${pageEnglish.focus.place}</span>${[0, 1, 2].map(place)}
-        <span class="small">${pageEnglish.focus.radius}</span>
-        ${numberInput(pageEnglish.focus.radius, focus.radius, size / 4, parseRadius, (radius) => this.#change({ focusPoint: { ...focus, radius } }))}
-        <span class="small">${pageEnglish.focus.factor}</span>
-        ${numberInput(pageEnglish.focus.factor, focus.factor, 1, parseFactor, (factor) => this.#change({ focusPoint: { ...focus, factor } }))}
+        <span class="small">${pageEnglish.multiplier.place}</span>${[0, 1, 2].map(place)}
+        <span class="small">${pageEnglish.multiplier.radius}</span>
+        ${numberInput(pageEnglish.multiplier.radius, focus.radius, size / 4, parseRadius, (radius) => this.#change({ focusPoint: { ...focus, radius } }))}
+        <span class="small">${pageEnglish.multiplier.factor}</span>
+        ${numberInput(pageEnglish.multiplier.factor, focus.factor, 1, parseFactor, (factor) => this.#change({ focusPoint: { ...focus, factor } }))}
       </div>
       <button ?disabled=${!this.pinned} title=${pageEnglish.pin.hint} @click=${() => this.#toPin(focus)}>
-        ${pageEnglish.focus.toPin}
+        ${pageEnglish.multiplier.toPin}
       </button>`;
   }
 
@@ -130,4 +132,4 @@ function isAboveZero(variable: Variable, triangles: Uint32Array): boolean {
   return components[0].lowest > 0 && nan + infinite === 0;
 }
 
-customElements.define('meshbound-focus-choice', FocusChoice);
+customElements.define('meshbound-multiplier-choice', MultiplierChoice);

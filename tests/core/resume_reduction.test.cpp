@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "modes.hpp"
@@ -27,14 +27,14 @@ const Bounds usual = promise::percent(1, 3);
 /// "wave" alone has a bound besides position.
 const Bounds partly_free = {{"position", relative(0.01)}, {"wave", relative(0.03)}};
 
-Waypoint waypoint_of(const Reduction& reduction) { return {reduction.mesh, reduction.vertices, reduction.report}; }
+Checkpoint checkpoint_of(const Reduction& reduction) { return {reduction.mesh, reduction.vertices, reduction.report}; }
 
 /// The judge takes no bound of zero, nor one beside which others are so much larger that it loses its way.
 constexpr double least_share = 1e-6;
 
 /// As a reduction within what was spent, of the least share of the extent where it is next to nothing; what is free stays free.
-Reduction as_reduction(const Waypoint& waypoint) {
-    Reduction reduction{waypoint.mesh, waypoint.vertices, {}, {}, {}, waypoint.report};
+Reduction as_reduction(const Checkpoint& checkpoint) {
+    Reduction reduction{checkpoint.mesh, checkpoint.vertices, {}, {}, {}, checkpoint.report};
     for (VariableReport& variable : reduction.report.variables) {
         if (std::isinf(variable.bound.absolute)) continue;
         variable.bound.absolute = std::max(variable.error, least_share * variable.bound.extent);
@@ -58,30 +58,30 @@ class Onward : public ModeTest {
 protected:
     Options options = GetParam().options();
 
-    Reduction reduce(const Mesh& mesh, const Bounds& bounds, Waypoint& waypoint) const {
+    Reduction reduce(const Mesh& mesh, const Bounds& bounds, Checkpoint& checkpoint) const {
         Reduction reduction;
-        const Status status = meshbound::reduce(mesh, bounds, options, reduction, {}, &waypoint);
+        const Status status = meshbound::reduce(mesh, bounds, options, reduction, {}, &checkpoint);
         EXPECT_TRUE(status.ok()) << status.message;
         return reduction;
     }
 
-    Waypoint passed(const Mesh& mesh, const Bounds& bounds) const {
-        Waypoint waypoint;
-        reduce(mesh, bounds, waypoint);
-        return waypoint;
+    Checkpoint passed(const Mesh& mesh, const Bounds& bounds) const {
+        Checkpoint checkpoint;
+        reduce(mesh, bounds, checkpoint);
+        return checkpoint;
     }
 
-    Reduction onward(const Waypoint& waypoint, const Bounds& bounds) const {
+    Reduction onward(const Checkpoint& checkpoint, const Bounds& bounds) const {
         Reduction reduction;
-        const Status status = reduce_onward(waypoint, bounds, options, reduction);
+        const Status status = resume_reduction(checkpoint, bounds, options, reduction);
         EXPECT_TRUE(status.ok()) << status.message;
         return reduction;
     }
 
-    Status refused(const Waypoint& waypoint, const Bounds& bounds) const {
+    Status refused(const Checkpoint& checkpoint, const Bounds& bounds) const {
         Reduction reduction;
         reduction.vertices = {7};
-        const Status status = reduce_onward(waypoint, bounds, options, reduction);
+        const Status status = resume_reduction(checkpoint, bounds, options, reduction);
         EXPECT_EQ(reduction.vertices, std::vector<std::uint32_t>{7}) << "touched";
         return status;
     }
@@ -90,8 +90,8 @@ EVERY_MODE(Onward);
 
 /// Every figure about a triangle, and the report, say the same.
 void expect_sums(const Mesh& mesh, const Reduction& reduction) {
-    EXPECT_TRUE(reduction.report.summed);
-    EXPECT_TRUE(reduction.map.places.empty());
+    EXPECT_TRUE(reduction.report.errors_are_upper_bounds);
+    EXPECT_TRUE(reduction.map.images.empty());
     EXPECT_TRUE(reduction.vertex_errors.empty());
     ASSERT_EQ(reduction.triangle_errors.size(), 1 + mesh.variables.size());
     for (std::size_t i = 0; i < reduction.triangle_errors.size(); ++i) {
@@ -112,34 +112,34 @@ void expect_sums(const Mesh& mesh, const Reduction& reduction) {
     }
 }
 
-TEST_P(Onward, HandingOutTheWaypointChangesNothing) {
+TEST_P(Onward, HandingOutTheCheckpointChangesNothing) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
-        Waypoint waypoint;
-        const Reduction with = reduce(exhibit.mesh, usual, waypoint);
+        Checkpoint checkpoint;
+        const Reduction with = reduce(exhibit.mesh, usual, checkpoint);
         const Reduction without = promise::reduced(exhibit.mesh, usual, options);
         EXPECT_TRUE(promise::same_bits(with.mesh, without.mesh));
         EXPECT_EQ(with.vertices, without.vertices);
         EXPECT_EQ(with.report.cells, without.report.cells);
-        EXPECT_FALSE(with.report.summed);
+        EXPECT_FALSE(with.report.errors_are_upper_bounds);
         for (std::size_t i = 0; i < with.triangle_errors.size(); ++i)
             EXPECT_EQ(with.triangle_errors[i].largest, without.triangle_errors[i].largest);
     }
 }
 
-TEST_P(Onward, AWaypointLiesWithinWhatItHasSpent) {
+TEST_P(Onward, ACheckpointLiesWithinWhatItHasSpent) {
     std::size_t removed = 0;
     for (const meshes::Exhibit& exhibit : meshes::gallery())
         for (const Bounds& bounds : {usual, promise::percent(8, 8), partly_free}) {
             SCOPED_TRACE(exhibit.name);
-            Waypoint waypoint;
-            const Reduction result = reduce(exhibit.mesh, bounds, waypoint);
-            EXPECT_GT(waypoint.mesh.triangles.size(), result.mesh.triangles.size());
-            removed += exhibit.mesh.triangles.size() - waypoint.mesh.triangles.size();
-            EXPECT_EQ(waypoint.report.stopped, Stopped::on_the_way);
-            for (const VariableReport& variable : waypoint.report.variables)
+            Checkpoint checkpoint;
+            const Reduction result = reduce(exhibit.mesh, bounds, checkpoint);
+            EXPECT_GT(checkpoint.mesh.triangles.size(), result.mesh.triangles.size());
+            removed += exhibit.mesh.triangles.size() - checkpoint.mesh.triangles.size();
+            EXPECT_EQ(checkpoint.report.termination, Termination::intermediate);
+            for (const VariableReport& variable : checkpoint.report.variables)
                 EXPECT_LE(variable.error, variable.bound.absolute / 8 * (1 + promise::hair)) << variable.name;
-            promise::expect_everything(exhibit.mesh, as_reduction(waypoint), 10'000);
+            promise::expect_everything(exhibit.mesh, as_reduction(checkpoint), 10'000);
         }
     EXPECT_GT(removed, 0U);
 }
@@ -151,10 +151,10 @@ TEST_P(Onward, KeepsEveryBoundToTheOriginal) {
                                       promise::percent(1, 20),
                                       {{"position", relative(0.01)}, {"wave", relative(0.05)}}};
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
-        const Waypoint waypoint = passed(exhibit.mesh, usual);
+        const Checkpoint checkpoint = passed(exhibit.mesh, usual);
         for (const Bounds& bounds : next) {
             SCOPED_TRACE(exhibit.name);
-            const Reduction reduction = onward(waypoint, bounds);
+            const Reduction reduction = onward(checkpoint, bounds);
             promise::expect_everything(exhibit.mesh, reduction, 10'000);
             EXPECT_LE(promise::largest_ratio(reduction), 1);
             expect_sums(exhibit.mesh, reduction);
@@ -166,9 +166,9 @@ TEST_P(Onward, GoesOnFromResultsTooAndOnFromThere) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
         const Reduction first = promise::reduced(exhibit.mesh, usual, options);
-        const Reduction second = onward(waypoint_of(first), promise::percent(2.5, 6));
+        const Reduction second = onward(checkpoint_of(first), promise::percent(2.5, 6));
         promise::expect_everything(exhibit.mesh, second, 10'000);
-        const Reduction third = onward(waypoint_of(second), promise::percent(4, 10));
+        const Reduction third = onward(checkpoint_of(second), promise::percent(4, 10));
         promise::expect_everything(exhibit.mesh, third, 10'000);
         expect_sums(exhibit.mesh, third);
         EXPECT_LT(third.mesh.triangles.size(), first.mesh.triangles.size());
@@ -177,20 +177,20 @@ TEST_P(Onward, GoesOnFromResultsTooAndOnFromThere) {
 
 TEST_P(Onward, KeepsTheBoundsOfWhatWasFree) {
     const Mesh mesh = usual_mesh();
-    const Waypoint waypoint = passed(mesh, partly_free);
-    const double spent = waypoint.report.variables[1].error;
-    ASSERT_EQ(waypoint.report.variables[1].name, "linear");
+    const Checkpoint checkpoint = passed(mesh, partly_free);
+    const double spent = checkpoint.report.variables[1].error;
+    ASSERT_EQ(checkpoint.report.variables[1].name, "linear");
     const Bounds all = {{"position", relative(0.01)}, {"wave", relative(0.03)}, {"linear", absolute(1.5 * spent)}};
-    promise::expect_everything(mesh, onward(waypoint, all));
+    promise::expect_everything(mesh, onward(checkpoint, all));
     const Bounds too_fine = {{"position", relative(0.01)}, {"wave", relative(0.03)}, {"linear", absolute(0.9 * spent)}};
-    EXPECT_EQ(refused(waypoint, too_fine).variable, "linear");
+    EXPECT_EQ(refused(checkpoint, too_fine).variable, "linear");
 }
 
 TEST_P(Onward, KeepsItsPromiseOverSamples) {
     for_each_sample(15'000, [this](const Mesh& mesh) {
-        const Waypoint waypoint = passed(mesh, usual);
+        const Checkpoint checkpoint = passed(mesh, usual);
         for (const Bounds& bounds : {usual, promise::percent(3, 9)}) {
-            const Reduction reduction = onward(waypoint, bounds);
+            const Reduction reduction = onward(checkpoint, bounds);
             promise::expect_judge_agrees(mesh, reduction);
             promise::expect_same_topology(mesh, reduction);
         }
@@ -202,14 +202,14 @@ TEST_P(Onward, KeepsItsPromiseOverOddSurfaces) {
     odd.push_back(meshes::moebius_band(40, 8));
     for (std::size_t i = 0; i < odd.size(); ++i) {
         SCOPED_TRACE(i);
-        const Waypoint waypoint = passed(odd[i], promise::percent(2, 6));
-        const Reduction reduction = onward(waypoint, promise::percent(4, 12));
+        const Checkpoint checkpoint = passed(odd[i], promise::percent(2, 6));
+        const Reduction reduction = onward(checkpoint, promise::percent(4, 12));
         promise::expect_vertex_subset(odd[i], reduction);
         const judge::Judgement judgement =
             judge::judge(odd[i], reduction.mesh, promise::absolute_bounds(reduction), 10'000);
         EXPECT_LE(judgement.ratio(), 1 + promise::hair) << judgement;
-        EXPECT_EQ(reduction.report.oddities.unused_vertices, waypoint.report.oddities.unused_vertices);
-        EXPECT_EQ(reduction.report.oddities.zero_area_triangles, waypoint.report.oddities.zero_area_triangles);
+        EXPECT_EQ(reduction.report.defects.unused_vertices, checkpoint.report.defects.unused_vertices);
+        EXPECT_EQ(reduction.report.defects.zero_area_triangles, checkpoint.report.defects.zero_area_triangles);
     }
 }
 
@@ -222,14 +222,14 @@ TEST_P(Onward, TakesRelativeBoundsFromTheExtentsOfTheOriginal) {
 
 TEST_P(Onward, ReportsOnTheOriginal) {
     const Mesh mesh = with_regions();
-    const Waypoint waypoint = passed(mesh, usual);
-    const Reduction reduction = onward(waypoint, promise::percent(3, 9));
+    const Checkpoint checkpoint = passed(mesh, usual);
+    const Reduction reduction = onward(checkpoint, promise::percent(3, 9));
     const Report& report = reduction.report;
     EXPECT_EQ(report.triangles_before, mesh.triangles.size());
     EXPECT_EQ(report.vertices_before, vertex_count(mesh));
     EXPECT_EQ(report.triangles_after, reduction.mesh.triangles.size());
     EXPECT_EQ(report.vertices_after, reduction.vertices.size());
-    EXPECT_EQ(report.stopped, Stopped::finished);
+    EXPECT_EQ(report.termination, Termination::finished);
     ASSERT_EQ(report.regions.size(), 2U);
     for (const RegionReport& region : report.regions) {
         const auto before = std::count(mesh.regions.begin(), mesh.regions.end(), region.label);
@@ -241,9 +241,9 @@ TEST_P(Onward, ReportsOnTheOriginal) {
 TEST_P(Onward, LeavesLittleMoreThanAReductionFromScratch) {
     std::size_t continued = 0, scratch = 0;
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
-        Waypoint waypoint;
-        scratch += reduce(exhibit.mesh, usual, waypoint).mesh.triangles.size();
-        continued += onward(waypoint, usual).mesh.triangles.size();
+        Checkpoint checkpoint;
+        scratch += reduce(exhibit.mesh, usual, checkpoint).mesh.triangles.size();
+        continued += onward(checkpoint, usual).mesh.triangles.size();
     }
     EXPECT_LT(static_cast<double>(continued), 1.25 * static_cast<double>(scratch));
 }
@@ -274,58 +274,58 @@ TEST_P(Onward, WhatIsLockedStays) {
 
 TEST_P(Onward, ALockedVertexThatIsGoneIsNamed) {
     const Mesh mesh = usual_mesh();
-    const Waypoint waypoint = passed(mesh, usual);
+    const Checkpoint checkpoint = passed(mesh, usual);
     std::uint32_t gone = 0;
-    while (waypoint.vertices[gone] == gone) ++gone;
-    options.locked = {waypoint.vertices[0], gone};
-    const Status status = refused(waypoint, promise::percent(4, 12));
-    EXPECT_EQ(status.fault, Fault::bad_waypoint);
+    while (checkpoint.vertices[gone] == gone) ++gone;
+    options.locked = {checkpoint.vertices[0], gone};
+    const Status status = refused(checkpoint, promise::percent(4, 12));
+    EXPECT_EQ(status.fault, Fault::bad_checkpoint);
     EXPECT_EQ(status.index, gone);
 }
 
 TEST_P(Onward, NamesTheVariableWhoseBoundIsSpent) {
     const Mesh mesh = usual_mesh();
-    const Waypoint waypoint = passed(mesh, usual);
-    const auto wave = std::find_if(waypoint.report.variables.begin(), waypoint.report.variables.end(),
+    const Checkpoint checkpoint = passed(mesh, usual);
+    const auto wave = std::find_if(checkpoint.report.variables.begin(), checkpoint.report.variables.end(),
                                    [](const VariableReport& variable) { return variable.name == "wave"; });
     ASSERT_GT(wave->error, 0);
     const Bounds tight = {{"position", relative(0.01)}, {"*", relative(0.03)}, {"wave", absolute(wave->error)}};
-    const Status status = refused(waypoint, tight);
-    EXPECT_EQ(status.fault, Fault::bad_waypoint);
+    const Status status = refused(checkpoint, tight);
+    EXPECT_EQ(status.fault, Fault::bad_checkpoint);
     EXPECT_EQ(status.variable, "wave");
     EXPECT_THAT(status.message, testing::HasSubstr("“wave”"));
-    EXPECT_EQ(refused(waypoint, promise::percent(0.001, 3)).variable, "position");
+    EXPECT_EQ(refused(checkpoint, promise::percent(0.001, 3)).variable, "position");
 }
 
-TEST_P(Onward, RefusesAWaypointThatContradictsItself) {
+TEST_P(Onward, RefusesACheckpointThatContradictsItself) {
     const Mesh mesh = usual_mesh();
-    const Waypoint good = passed(mesh, usual);
+    const Checkpoint good = passed(mesh, usual);
     const auto broken = [&](const auto& breakage) {
-        Waypoint waypoint = good;
-        breakage(waypoint);
-        return refused(waypoint, promise::percent(4, 12)).fault;
+        Checkpoint checkpoint = good;
+        breakage(checkpoint);
+        return refused(checkpoint, promise::percent(4, 12)).fault;
     };
-    EXPECT_EQ(broken([](Waypoint& w) { w.vertices.pop_back(); }), Fault::bad_waypoint);
-    EXPECT_EQ(broken([](Waypoint& w) { std::swap(w.vertices[0], w.vertices[1]); }), Fault::bad_waypoint);
-    EXPECT_EQ(broken([](Waypoint& w) { w.vertices.back() = 1'000'000; }), Fault::bad_waypoint);
-    EXPECT_EQ(broken([](Waypoint& w) { w.report.variables.pop_back(); }), Fault::bad_waypoint);
-    EXPECT_EQ(broken([](Waypoint& w) { w.report.variables[1].name = "other"; }), Fault::bad_waypoint);
+    EXPECT_EQ(broken([](Checkpoint& w) { w.vertices.pop_back(); }), Fault::bad_checkpoint);
+    EXPECT_EQ(broken([](Checkpoint& w) { std::swap(w.vertices[0], w.vertices[1]); }), Fault::bad_checkpoint);
+    EXPECT_EQ(broken([](Checkpoint& w) { w.vertices.back() = 1'000'000; }), Fault::bad_checkpoint);
+    EXPECT_EQ(broken([](Checkpoint& w) { w.report.variables.pop_back(); }), Fault::bad_checkpoint);
+    EXPECT_EQ(broken([](Checkpoint& w) { w.report.variables[1].name = "other"; }), Fault::bad_checkpoint);
     for (const double bad : {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_EQ(broken([bad](Waypoint& w) { w.report.variables[1].error = bad; }), Fault::bad_waypoint);
-        EXPECT_EQ(broken([bad](Waypoint& w) { w.report.variables[0].bound.extent = bad; }), Fault::bad_waypoint);
+        EXPECT_EQ(broken([bad](Checkpoint& w) { w.report.variables[1].error = bad; }), Fault::bad_checkpoint);
+        EXPECT_EQ(broken([bad](Checkpoint& w) { w.report.variables[0].bound.extent = bad; }), Fault::bad_checkpoint);
     }
-    EXPECT_EQ(broken([](Waypoint& w) { w.report.vertices_before = w.vertices.back(); }), Fault::bad_waypoint);
-    EXPECT_EQ(broken([](Waypoint& w) { w.mesh.triangles[0].x = 1'000'000; }), Fault::bad_index);
-    EXPECT_EQ(broken([](Waypoint& w) { w.mesh.triangles.clear(); }), Fault::no_triangles);
-    EXPECT_EQ(broken([](Waypoint& w) { w = {}; }), Fault::no_triangles);
+    EXPECT_EQ(broken([](Checkpoint& w) { w.report.vertices_before = w.vertices.back(); }), Fault::bad_checkpoint);
+    EXPECT_EQ(broken([](Checkpoint& w) { w.mesh.triangles[0].x = 1'000'000; }), Fault::bad_index);
+    EXPECT_EQ(broken([](Checkpoint& w) { w.mesh.triangles.clear(); }), Fault::no_triangles);
+    EXPECT_EQ(broken([](Checkpoint& w) { w = {}; }), Fault::no_triangles);
 }
 
 TEST_P(Onward, NamesTheVertexThatCannotBeOfTheOriginal) {
-    const Waypoint good = passed(usual_mesh(), usual);
+    const Checkpoint good = passed(usual_mesh(), usual);
     const auto broken = [&](std::size_t vertex, std::uint32_t of_original) {
-        Waypoint waypoint = good;
-        waypoint.vertices[vertex] = of_original;
-        return refused(waypoint, promise::percent(4, 12));
+        Checkpoint checkpoint = good;
+        checkpoint.vertices[vertex] = of_original;
+        return refused(checkpoint, promise::percent(4, 12));
     };
     Status status = broken(5, 1'000'000);
     EXPECT_EQ(status.index, 5U);
@@ -335,32 +335,32 @@ TEST_P(Onward, NamesTheVertexThatCannotBeOfTheOriginal) {
     EXPECT_THAT(status.message, testing::HasSubstr("they must rise"));
 }
 
-/// Every number of a waypoint's arrays in turn is anything at all.
+/// Every number of a checkpoint's arrays in turn is anything at all.
 TEST_P(Onward, WhateverIsDamagedIsRefusedOrHarmless) {
     Mesh mesh = meshes::sphere(5);
     meshes::add_usual_fields(mesh);
-    const Waypoint good = passed(mesh, usual);
+    const Checkpoint good = passed(mesh, usual);
     std::size_t refusals = 0;
     constexpr std::size_t rounds = 300;
     for (std::size_t seed = 0; seed < rounds; ++seed) {
         SCOPED_TRACE(seed);
         meshes::Random random(seed);
-        Waypoint waypoint = good;
+        Checkpoint checkpoint = good;
         const auto value =
             static_cast<std::uint32_t>(random.below(2) ? random.below(2 * vertex_count(mesh)) : random.next());
         switch (random.below(4)) {
-        case 0: waypoint.vertices[random.below(waypoint.vertices.size())] = value; break;
-        case 1: waypoint.vertices.resize(value % (2 * waypoint.vertices.size()), value); break;
-        case 2: waypoint.report.vertices_before = value; break;
-        default: waypoint.mesh.triangles[random.below(waypoint.mesh.triangles.size())].y = value;
+        case 0: checkpoint.vertices[random.below(checkpoint.vertices.size())] = value; break;
+        case 1: checkpoint.vertices.resize(value % (2 * checkpoint.vertices.size()), value); break;
+        case 2: checkpoint.report.vertices_before = value; break;
+        default: checkpoint.mesh.triangles[random.below(checkpoint.mesh.triangles.size())].y = value;
         }
         Reduction reduction;
-        const Status status = reduce_onward(waypoint, promise::percent(4, 12), options, reduction);
+        const Status status = resume_reduction(checkpoint, promise::percent(4, 12), options, reduction);
         refusals += !status.ok();
         if (!status.ok()) continue;
         EXPECT_EQ(reduction.vertices.size(), vertex_count(reduction.mesh));
         EXPECT_TRUE(std::is_sorted(reduction.vertices.begin(), reduction.vertices.end()));
-        EXPECT_LT(reduction.vertices.back(), waypoint.report.vertices_before);
+        EXPECT_LT(reduction.vertices.back(), checkpoint.report.vertices_before);
     }
     EXPECT_GT(refusals, rounds / 4);
     EXPECT_LT(refusals, rounds);
@@ -369,69 +369,69 @@ TEST_P(Onward, WhateverIsDamagedIsRefusedOrHarmless) {
 TEST_P(Onward, RefusesWhatOnlyTheOriginalCanTell) {
     Mesh mesh = usual_mesh();
     meshes::add_scalar(mesh, "focus", [](glm::dvec3 p) { return 1 + p.x * p.x; });
-    const Waypoint waypoint = passed(mesh, usual);
+    const Checkpoint checkpoint = passed(mesh, usual);
     const Options plain = options;
-    options.focus = "focus";
-    EXPECT_EQ(refused(waypoint, promise::percent(4, 12)).fault, Fault::bad_option);
+    options.bound_multiplier = "focus";
+    EXPECT_EQ(refused(checkpoint, promise::percent(4, 12)).fault, Fault::bad_option);
     options = plain;
     options.limit_to_feature_size = true;
-    EXPECT_EQ(refused(waypoint, promise::percent(4, 12)).fault, Fault::bad_option);
+    EXPECT_EQ(refused(checkpoint, promise::percent(4, 12)).fault, Fault::bad_option);
     options = plain;
-    options.drop_small_parts = true;
-    EXPECT_EQ(refused(waypoint, promise::percent(4, 12)).fault, Fault::bad_option);
+    options.drop_small_components = true;
+    EXPECT_EQ(refused(checkpoint, promise::percent(4, 12)).fault, Fault::bad_option);
 }
 
-TEST_P(Onward, GoesOnFromAWaypointOfMultipliedBounds) {
+TEST_P(Onward, GoesOnFromACheckpointOfMultipliedBounds) {
     Mesh mesh = usual_mesh();
     meshes::add_scalar(mesh, "focus", [](glm::dvec3 p) { return 1 + p.x * p.x; });
-    options.focus = "focus";
-    const Waypoint waypoint = passed(mesh, usual);
-    options.focus.clear();
-    promise::expect_everything(mesh, as_reduction(waypoint));
-    promise::expect_everything(mesh, onward(waypoint, promise::percent(3, 9)));
+    options.bound_multiplier = "focus";
+    const Checkpoint checkpoint = passed(mesh, usual);
+    options.bound_multiplier.clear();
+    promise::expect_everything(mesh, as_reduction(checkpoint));
+    promise::expect_everything(mesh, onward(checkpoint, promise::percent(3, 9)));
 }
 
-TEST_P(Onward, OneSweepPassesNoWaypoint) {
+TEST_P(Onward, OneSweepPassesNoCheckpoint) {
     options.sweeps = {1};
     Reduction reduction;
-    Waypoint waypoint;
-    const Status status = meshbound::reduce(usual_mesh(), usual, options, reduction, {}, &waypoint);
+    Checkpoint checkpoint;
+    const Status status = meshbound::reduce(usual_mesh(), usual, options, reduction, {}, &checkpoint);
     EXPECT_EQ(status.fault, Fault::bad_option);
-    EXPECT_TRUE(waypoint.vertices.empty());
+    EXPECT_TRUE(checkpoint.vertices.empty());
 }
 
 TEST_P(Onward, IsTheSameForAnyNumberOfThreads) {
     const Mesh mesh = meshes::gallery()[2].mesh;
-    const Waypoint waypoint = passed(mesh, usual);
+    const Checkpoint checkpoint = passed(mesh, usual);
     options.threads = 1;
-    const Reduction one = onward(waypoint, promise::percent(3, 9));
+    const Reduction one = onward(checkpoint, promise::percent(3, 9));
     options.threads = 3;
-    EXPECT_TRUE(promise::same_bits(one.mesh, onward(waypoint, promise::percent(3, 9)).mesh));
+    EXPECT_TRUE(promise::same_bits(one.mesh, onward(checkpoint, promise::percent(3, 9)).mesh));
 }
 
-TEST_P(Onward, LeavesAWaypointUntouchedThatWasNotReached) {
+TEST_P(Onward, LeavesACheckpointUntouchedThatWasNotReached) {
     Mesh mesh = meshes::torus(70, 36);
     meshes::add_usual_fields(mesh);
-    Waypoint waypoint = passed(mesh, promise::percent(0.2, 0.5));
-    waypoint.report.feature_size = 0.125;
-    const Mesh before = waypoint.mesh;
+    Checkpoint checkpoint = passed(mesh, promise::percent(0.2, 0.5));
+    checkpoint.report.feature_size = 0.125;
+    const Mesh before = checkpoint.mesh;
     Reduction part;
     ASSERT_TRUE(meshbound::reduce(
-                    mesh, promise::percent(3, 9), options, part, [](double) { return false; }, &waypoint)
+                    mesh, promise::percent(3, 9), options, part, [](double) { return false; }, &checkpoint)
                     .ok());
-    EXPECT_EQ(part.report.stopped, Stopped::cancelled);
-    EXPECT_EQ(waypoint.report.feature_size, 0.125);
-    EXPECT_TRUE(promise::same_bits(waypoint.mesh, before));
+    EXPECT_EQ(part.report.termination, Termination::cancelled);
+    EXPECT_EQ(checkpoint.report.feature_size, 0.125);
+    EXPECT_TRUE(promise::same_bits(checkpoint.mesh, before));
 }
 
 TEST_P(Onward, ReportsProgressAndCanBeCancelled) {
     Mesh mesh = meshes::torus(70, 36);
     meshes::add_usual_fields(mesh);
     options.threads = 1;
-    const Waypoint waypoint = passed(mesh, promise::percent(0.2, 0.5));
+    const Checkpoint checkpoint = passed(mesh, promise::percent(0.2, 0.5));
     std::vector<double> values;
     Reduction whole;
-    ASSERT_TRUE(reduce_onward(waypoint, promise::percent(3, 9), options, whole, [&](double value) {
+    ASSERT_TRUE(resume_reduction(checkpoint, promise::percent(3, 9), options, whole, [&](double value) {
                     values.push_back(value);
                     return true;
                 }).ok());
@@ -442,9 +442,10 @@ TEST_P(Onward, ReportsProgressAndCanBeCancelled) {
     for (const std::size_t last : {std::size_t(1), static_cast<std::size_t>(sweeping)}) {
         std::size_t call = 0;
         Reduction part;
-        ASSERT_TRUE(
-            reduce_onward(waypoint, promise::percent(3, 9), options, part, [&](double) { return call++ < last; }).ok());
-        EXPECT_EQ(part.report.stopped, Stopped::cancelled);
+        ASSERT_TRUE(resume_reduction(checkpoint, promise::percent(3, 9), options, part, [&](double) {
+                        return call++ < last;
+                    }).ok());
+        EXPECT_EQ(part.report.termination, Termination::cancelled);
         EXPECT_GT(part.mesh.triangles.size(), whole.mesh.triangles.size());
         EXPECT_TRUE(part.triangle_errors.empty());
         promise::expect_everything(mesh, part, 5'000);

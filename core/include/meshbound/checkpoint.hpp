@@ -8,10 +8,10 @@
 
 namespace meshbound {
 
-/// A surface on the way of a reduction, from which another one can go on (see reduce_onward): what is left of the original,
+/// A surface on the way of a reduction, from which another one can go on (see resume_reduction): what is left of the original,
 /// and how far from it that may lie by now. The result of a reduction is one too: {reduction.mesh, reduction.vertices,
 /// reduction.report}.
-struct Waypoint {
+struct Checkpoint {
     Mesh mesh;
     std::vector<std::uint32_t> vertices; ///< for each of its vertices the index in the original, rising
     /// Of the original, and of what was *spent*: VariableReport::error, which no point of the surface exceeds, in the unit of

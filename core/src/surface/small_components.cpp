@@ -1,4 +1,4 @@
-#include "surface/small_parts.hpp"
+#include "surface/small_components.hpp"
 
 #include <algorithm>
 #include <array>
@@ -85,9 +85,9 @@ std::vector<Component> measure_components(const Mesh& mesh, const Multipliers& m
 
 } // namespace
 
-DroppedParts drop_small_parts(const Mesh& mesh, double bound, const Multipliers& multipliers,
-                              const std::vector<std::uint32_t>& kept, Surface& surface) {
-    DroppedParts dropped;
+DroppedComponents drop_small_components(const Mesh& mesh, double bound, const Multipliers& multipliers,
+                                        const std::vector<std::uint32_t>& kept, Surface& surface) {
+    DroppedComponents dropped;
     DisjointSets sets = find_components(mesh, surface);
     std::vector<Component> components = measure_components(mesh, multipliers, surface, sets);
     for (const std::uint32_t vertex : kept) components[sets.of(vertex)].kept = true;
@@ -103,7 +103,7 @@ DroppedParts drop_small_parts(const Mesh& mesh, double bound, const Multipliers&
             component.size() > bound * component.multiplier)
             continue;
         vertices[vertex] = 1;
-        dropped.parts += !counted[name];
+        dropped.components += !counted[name];
         counted[name] = 1;
     }
     dropped.triangles = surface.remove_marked(vertices);

@@ -1,29 +1,29 @@
 import type { NonFinite, Report } from '../../wasm/types.ts';
 import { quoted } from '../formats/wording.ts';
 
-/** A sentence for each kind of oddity that a valid surface has. */
-export function oddityNotes({
+/** A sentence for each kind of defect that a valid surface has. */
+export function defectNotes({
   repeatedVertexTriangles,
   zeroAreaTriangles,
   unusedVertices,
-  turnedTriangles,
-  unorientableParts,
+  flippedTriangles,
+  unorientableComponents,
   unorientableTriangle,
   copiedTriangles,
   twoSidedTriangles,
-}: Report['oddities']): string[] {
+}: Report['defects']): string[] {
   const sentences: [number, string][] = [
     [repeatedVertexTriangles, 'with a repeated vertex: not a surface, left out of the result.'],
     [zeroAreaTriangles, 'without area: kept as part of the surface.'],
   ];
   const notes = sentences.filter(([count]) => count > 0).map(([count, text]) => `${triangles(count)} ${text}`);
   notes.push(...unusedNotes(unusedVertices));
-  if (turnedTriangles > 0) {
-    const facing = turnedTriangles === 1 ? 'faces' : 'face';
-    notes.push(`${triangles(turnedTriangles)} ${facing} the other side than most around them: turned round.`);
+  if (flippedTriangles > 0) {
+    const facing = flippedTriangles === 1 ? 'faces' : 'face';
+    notes.push(`${triangles(flippedTriangles)} ${facing} the other side than most around them: turned round.`);
   }
-  if (unorientableParts > 0) {
-    const parts = unorientableParts === 1 ? '1 part has' : `${unorientableParts} parts have`;
+  if (unorientableComponents > 0) {
+    const parts = unorientableComponents === 1 ? '1 part has' : `${unorientableComponents} parts have`;
     notes.push(
       `${parts} no two sides (triangle ${unorientableTriangle}, counted from 0): along some line its triangles face different ways.`,
     );
@@ -61,7 +61,7 @@ function triangles(count: number): string {
 }
 
 /** A sentence for what was left out of a result because it is small; none where nothing was. */
-export function droppedNotes({ parts, triangles: count }: Report['dropped']): string[] {
+export function droppedNotes({ components: parts, triangles: count }: Report['dropped']): string[] {
   if (parts === 0) return [];
   const left = parts === 1 ? '1 part' : `${parts} parts`;
   return [`${left} smaller than the bound of position, ${triangles(count)}: left out; nothing is promised of them.`];

@@ -1,4 +1,4 @@
-#include "meshes/oddities.hpp"
+#include "meshes/defects.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -9,8 +9,8 @@
 
 namespace meshbound {
 
-/// The variable that multiplies the bounds (see Options::focus), or null.
-const Variable* find_focus(const Mesh& mesh, const Options& options);
+/// The variable that multiplies the bounds (see Options::bound_multiplier), or null.
+const Variable* find_bound_multiplier(const Mesh& mesh, const Options& options);
 
 /// Whether there is such a variable, above zero everywhere and nowhere so small that double precision cannot carry the bounds.
 /// Everywhere is where triangles are. Faults: unknown_variable, bad_option, non_finite_value, bound_too_fine.

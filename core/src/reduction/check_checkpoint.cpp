@@ -1,4 +1,4 @@
-#include "reduction/check_waypoint.hpp"
+#include "reduction/check_checkpoint.hpp"
 
 #include <cmath>
 #include <string>
@@ -9,15 +9,15 @@ namespace meshbound {
 namespace {
 
 Status inconsistent(const std::string& message, const std::string& variable = "") {
-    return {Fault::bad_waypoint, message, variable, {}};
+    return {Fault::bad_checkpoint, message, variable, {}};
 }
 
-Status check_vertices(const Waypoint& waypoint) {
-    const auto& vertices = waypoint.vertices;
-    if (vertices.size() != vertex_count(waypoint.mesh))
-        return inconsistent("The waypoint has " + std::to_string(vertex_count(waypoint.mesh)) +
+Status check_vertices(const Checkpoint& checkpoint) {
+    const auto& vertices = checkpoint.vertices;
+    if (vertices.size() != vertex_count(checkpoint.mesh))
+        return inconsistent("The checkpoint has " + std::to_string(vertex_count(checkpoint.mesh)) +
                             " vertices and says of " + std::to_string(vertices.size()) + " where they come from.");
-    return check_kept_vertices("the waypoint", vertices, waypoint.report.vertices_before, Fault::bad_waypoint);
+    return check_kept_vertices("the checkpoint", vertices, checkpoint.report.vertices_before, Fault::bad_checkpoint);
 }
 
 /// NaN fails.
@@ -31,27 +31,28 @@ bool says_what_it_spent(const VariableReport& report, bool is_position) {
     return bound.extent >= 0 && (std::isnan(report.error) || report.error >= 0);
 }
 
-Status check_variables(const Waypoint& waypoint) {
-    const auto& reports = waypoint.report.variables;
-    const std::size_t count = variable_count(waypoint.mesh);
+Status check_variables(const Checkpoint& checkpoint) {
+    const auto& reports = checkpoint.report.variables;
+    const std::size_t count = variable_count(checkpoint.mesh);
     if (reports.size() != count)
-        return inconsistent("The waypoint has " + std::to_string(count) +
+        return inconsistent("The checkpoint has " + std::to_string(count) +
                             " variables, position among them, and reports on " + std::to_string(reports.size()) + ".");
     for (std::size_t i = 0; i < count; ++i) {
-        const std::string name(variable_of(waypoint.mesh, i).name);
+        const std::string name(variable_of(checkpoint.mesh, i).name);
         if (reports[i].name != name)
-            return inconsistent("The waypoint reports on “" + reports[i].name + "” in place of “" + name + "”.", name);
+            return inconsistent("The checkpoint reports on “" + reports[i].name + "” in place of “" + name + "”.",
+                                name);
         if (!is_length(reports[i].bound.magnitude) || !says_what_it_spent(reports[i], i == 0))
-            return inconsistent("What the waypoint reports on “" + name + "” is not in numbers from zero on.", name);
+            return inconsistent("What the checkpoint reports on “" + name + "” is not in numbers from zero on.", name);
     }
     return {};
 }
 
 } // namespace
 
-Status check_waypoint(const Waypoint& waypoint) {
-    if (Status status = check_vertices(waypoint); !status.ok()) return status;
-    return check_variables(waypoint);
+Status check_checkpoint(const Checkpoint& checkpoint) {
+    if (Status status = check_vertices(checkpoint); !status.ok()) return status;
+    return check_variables(checkpoint);
 }
 
 } // namespace meshbound

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
@@ -59,7 +59,7 @@ TEST_P(OddMeshes, ATetrahedronBetweenFinsIsNotFlattened) {
     const Mesh mesh =
         meshes::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0.1}, {0.5, -1, 0}, {1, 1, 0}, {-1, 0.5, 0}},
                             {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 5}, {0, 2, 6}});
-    const Reduction reduction = reduce(mesh, {{"position", free_of_bound()}});
+    const Reduction reduction = reduce(mesh, {{"position", unbounded()}});
     promise::expect_vertex_subset(mesh, reduction);
     std::set<std::set<std::uint32_t>> different;
     for (const glm::uvec3& t : reduction.mesh.triangles) different.insert({t.x, t.y, t.z});
@@ -88,7 +88,7 @@ TEST_P(OddMeshes, DegenerateTrianglesAreReducedAsUsual) {
         const Mesh mesh = meshes::with_degenerate_triangles(with_fields(plain));
         const Reduction reduction = reduce(mesh);
         promise::expect_everything(mesh, reduction);
-        EXPECT_GT(reduction.report.oddities.zero_area_triangles, 0U);
+        EXPECT_GT(reduction.report.defects.zero_area_triangles, 0U);
         EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() * 3 / 4);
     }
 }
@@ -107,7 +107,7 @@ TEST_P(OddMeshes, TrianglesWithAVertexTwiceAreLeftOutAndCounted) {
     mesh.triangles.push_back({1, 2, 1});
     mesh.triangles.push_back({3, 3, 3});
     const Reduction reduction = reduce(mesh);
-    EXPECT_EQ(reduction.report.oddities.repeated_vertex_triangles, 3U);
+    EXPECT_EQ(reduction.report.defects.repeated_vertex_triangles, 3U);
     EXPECT_EQ(reduction.report.triangles_before, mesh.triangles.size());
     promise::expect_everything(plain, reduction);
     EXPECT_EQ(reduction.vertices, reduce(plain).vertices);
@@ -119,7 +119,7 @@ TEST_P(OddMeshes, UnusedVerticesAreLeftOutAndCounted) {
     const Reduction reduction = reduce(mesh);
     std::set<std::uint32_t> used;
     for (const glm::uvec3& t : mesh.triangles) used.insert({t.x, t.y, t.z});
-    EXPECT_EQ(reduction.report.oddities.unused_vertices, vertex_count(mesh) - used.size());
+    EXPECT_EQ(reduction.report.defects.unused_vertices, vertex_count(mesh) - used.size());
     promise::expect_everything(mesh, reduction);
 }
 
@@ -130,7 +130,7 @@ TEST_P(OddMeshes, ATriangleThatIsThereTwiceIsNoError) {
     const Reduction reduction = reduce(mesh);
     promise::expect_vertex_subset(mesh, reduction);
     promise::expect_judge_agrees(mesh, reduction);
-    EXPECT_EQ(reduction.report.oddities.copied_triangles, 1U);
+    EXPECT_EQ(reduction.report.defects.copied_triangles, 1U);
     EXPECT_EQ(meshes::topology(reduction.mesh), meshes::topology(once)) << "the copy is left out";
 }
 

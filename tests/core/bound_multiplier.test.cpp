@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "map_certificate.hpp"
+#include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
-#include "meshes/oddities.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
@@ -28,7 +28,7 @@ class Focus : public ModeTest {
 protected:
     Options options() const {
         Options options = GetParam().options();
-        options.focus = "sharpness";
+        options.bound_multiplier = "sharpness";
         return options;
     }
     Reduction reduce(const Mesh& mesh, const Bounds& bounds) const { return promise::reduced(mesh, bounds, options()); }
@@ -44,7 +44,7 @@ double multiplier(const Mesh& mesh, std::uint32_t vertex) { return value_at(mesh
 /// The bounds free of the multiplier: it is a variable without a bound.
 Bounds bounds_of(double geometry, double variables) {
     Bounds bounds = promise::percent(geometry, variables);
-    bounds.push_back({"sharpness", free_of_bound()});
+    bounds.push_back({"sharpness", unbounded()});
     return bounds;
 }
 
@@ -98,7 +98,7 @@ TEST_P(MappedFocus, TheMapProvesThem) {
             double ratio = 0;
             for (std::uint32_t v = 0; v < vertex_count(mesh); ++v) {
                 const double here = certificate.error_at_vertex(i, v) / multiplier(mesh, v);
-                const std::uint32_t triangle = reduction.map.places[v].triangle;
+                const std::uint32_t triangle = reduction.map.images[v].triangle;
                 EXPECT_LE(here / variable.bound.absolute, reduction.triangle_errors[i].ratio[triangle] + promise::hair);
                 ratio = std::max(ratio, here);
             }
@@ -144,7 +144,7 @@ TEST_P(Focus, OfWhatCannotMultiplyIsRefused) {
     Mesh mesh = with_sharpness(meshes::plane(4, 4), [](glm::dvec3) { return 1.0; });
     const auto fault = [&](const std::string& focus) {
         Options how = GetParam().options();
-        how.focus = focus;
+        how.bound_multiplier = focus;
         Reduction reduction;
         return meshbound::reduce(mesh, bounds_of(1, 1), how, reduction);
     };

@@ -1,12 +1,12 @@
-// While bounds move a session answers from a waypoint, and the result at rest is the one from the original.
+// While bounds move a session answers from a checkpoint, and the result at rest is the one from the original.
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import type { OnwardOptions, ReduceOptions, Reduction, Report, Waypoint } from '../../wasm/types.ts';
+import type { ResumeOptions, ReduceOptions, Reduction, Report, Checkpoint } from '../../wasm/types.ts';
 import { nothingKept } from '../../web/session/keeping.ts';
 import { firstMethod } from '../../web/session/method.ts';
 import { Session } from '../../web/session/session.ts';
 import { answerOf } from '../../web/session/session-state.ts';
-import { Waypoints } from '../../web/session/waypoints.ts';
-import { noOddities } from './no-oddities.ts';
+import { Checkpoints } from '../../web/session/checkpoints.ts';
+import { noDefects } from './no-defects.ts';
 
 const mesh = {
   position: new Float32Array(9),
@@ -20,7 +20,7 @@ function reportOf(position: number, pressure: number, seconds = 1): Report {
   return { variables: [variable('position', position), variable('pressure', pressure)], seconds } as unknown as Report;
 }
 
-function waypointOf(triangles: number, report: Report): Waypoint {
+function checkpointOf(triangles: number, report: Report): Checkpoint {
   return { mesh: { ...mesh, triangles: new Uint32Array(3 * triangles) }, vertices: new Uint32Array(), report };
 }
 
@@ -34,50 +34,50 @@ const asked = (position: number, pressure: number, method = firstMethod, keeping
   keeping,
 });
 
-describe('waypoints', () => {
-  const passed = waypointOf(50, reportOf(0.125, 0.375));
-  const result = waypointOf(10, reportOf(0.9, 2.9));
-  const waypoints = new Waypoints();
-  waypoints.keep(result, passed, asked(1, 3));
+describe('checkpoints', () => {
+  const passed = checkpointOf(50, reportOf(0.125, 0.375));
+  const result = checkpointOf(10, reportOf(0.9, 2.9));
+  const checkpoints = new Checkpoints();
+  checkpoints.keep(result, passed, asked(1, 3));
 
   test('the coarsest of those that have spent at most half of every bound serves', () => {
-    expect(waypoints.nearest(asked(1, 3))).toBe(passed);
-    expect(waypoints.nearest(asked(2, 6))).toEqual(result);
-    expect(waypoints.nearest(asked(2, 3))).toBe(passed);
-    expect(waypoints.nearest(asked(0.25, 0.75))).toBe(passed);
-    expect(waypoints.nearest(asked(0.24, 0.75))).toBeNull();
-    expect(waypoints.nearest(asked(0.25, 0.74))).toBeNull();
+    expect(checkpoints.nearest(asked(1, 3))).toBe(passed);
+    expect(checkpoints.nearest(asked(2, 6))).toEqual(result);
+    expect(checkpoints.nearest(asked(2, 3))).toBe(passed);
+    expect(checkpoints.nearest(asked(0.25, 0.75))).toBe(passed);
+    expect(checkpoints.nearest(asked(0.24, 0.75))).toBeNull();
+    expect(checkpoints.nearest(asked(0.25, 0.74))).toBeNull();
   });
 
   test('a bound in the unit of the variable counts as it is, and what is free does not', () => {
     const bounds = { ...percent(1, 0.1), position: { fraction: 0, absolute: 0.25, free: false } };
-    expect(waypoints.nearest({ ...asked(1, 1), bounds })).toBeNull();
+    expect(checkpoints.nearest({ ...asked(1, 1), bounds })).toBeNull();
     bounds.pressure.free = true;
-    expect(waypoints.nearest({ ...asked(1, 1), bounds })).toBe(passed);
+    expect(checkpoints.nearest({ ...asked(1, 1), bounds })).toBe(passed);
   });
 
   test('what was free counts by its error', () => {
-    const free = new Waypoints();
-    free.keep(result, waypointOf(50, reportOf(0.125, 20)), asked(1, 3));
+    const free = new Checkpoints();
+    free.keep(result, checkpointOf(50, reportOf(0.125, 20)), asked(1, 3));
     expect(free.nearest(asked(1, 30))).toBeNull();
     expect(free.nearest(asked(1, 40))).not.toBeNull();
   });
 
   test('those of another method, or of something else that was kept, do not serve', () => {
-    expect(waypoints.nearest(asked(1, 3, { ...firstMethod, refusePiercing: true }))).toBeNull();
-    expect(waypoints.nearest(asked(1, 3, firstMethod, { ...nothingKept, lockPoints: [[1, 1]] }))).toBeNull();
+    expect(checkpoints.nearest(asked(1, 3, { ...firstMethod, refusePiercing: true }))).toBeNull();
+    expect(checkpoints.nearest(asked(1, 3, firstMethod, { ...nothingKept, lockPoints: [[1, 1]] }))).toBeNull();
   });
 
   test('who waits for moments only needs none', () => {
-    const quick = new Waypoints();
-    quick.keep(waypointOf(10, reportOf(0.9, 2.9, 0.05)), passed, asked(1, 3));
+    const quick = new Checkpoints();
+    quick.keep(checkpointOf(10, reportOf(0.9, 2.9, 0.05)), passed, asked(1, 3));
     expect(quick.nearest(asked(1, 3))).toBeNull();
   });
 
   test('those of the last two reductions are kept', () => {
-    const many = new Waypoints();
-    const all = [0.1, 0.2, 0.4].map((spent, i) => waypointOf(100 - i, reportOf(spent, spent)));
-    for (const each of all) many.keep(waypointOf(1, reportOf(50, 50)), each, asked(1, 3));
+    const many = new Checkpoints();
+    const all = [0.1, 0.2, 0.4].map((spent, i) => checkpointOf(100 - i, reportOf(spent, spent)));
+    for (const each of all) many.keep(checkpointOf(1, reportOf(50, 50)), each, asked(1, 3));
     expect(many.nearest(asked(1, 1))).toBe(all[2]);
     expect(many.nearest(asked(0.4, 0.4))).toBe(all[1]);
     expect(many.nearest(asked(0.2, 0.2))).toBeNull();
@@ -92,10 +92,10 @@ interface Run<Options> {
   fail(): Promise<void>;
 }
 
-/** Reductions that end when the test says so; the first one, of 1 % and 3 %, has passed a waypoint. */
+/** Reductions that end when the test says so; the first one, of 1 % and 3 %, has passed a checkpoint. */
 async function opened() {
   const runs: Run<ReduceOptions>[] = [];
-  const drafts: (Run<OnwardOptions> & { waypoint: Waypoint })[] = [];
+  const drafts: (Run<ResumeOptions> & { checkpoint: Checkpoint })[] = [];
   const running = <Options extends { signal?: AbortSignal }>(options: Options, result: Partial<Reduction>) => {
     let [finish, fail] = [() => {}, () => {}];
     const promise = new Promise<Reduction>((resolve, reject) => {
@@ -109,7 +109,7 @@ async function opened() {
     };
     return { promise, run: { options, finish: told(finish), fail: told(fail) } };
   };
-  const passed = waypointOf(50, reportOf(0.125, 0.375));
+  const passed = checkpointOf(50, reportOf(0.125, 0.375));
   const session = new Session({
     inspect: async () => ({
       triangles: 1,
@@ -117,16 +117,16 @@ async function opened() {
       variables: ['position', 'pressure'].map((name) => {
         return { name, components: 1, extent: 100, magnitude: 100, constant: false };
       }),
-      oddities: noOddities,
+      defects: noDefects,
     }),
     reduce: (_, options) => {
-      const { promise, run } = running(options, { report: reportOf(0.9, 2.9), waypoint: passed });
+      const { promise, run } = running(options, { report: reportOf(0.9, 2.9), checkpoint: passed });
       runs.push(run);
       return promise;
     },
-    reduceOnward: (waypoint, options) => {
+    resumeReduction: (checkpoint, options) => {
       const { promise, run } = running(options, { report: reportOf(1, 3) });
-      drafts.push({ ...run, waypoint });
+      drafts.push({ ...run, checkpoint });
       return promise;
     },
     read: async () => ({ mesh, notes: [], labels: { units: {}, componentNames: {} } }),
@@ -148,20 +148,20 @@ describe('a session', () => {
     return all;
   }
 
-  test('asks for the waypoint, and does not keep it in the result', async () => {
+  test('asks for the checkpoint, and does not keep it in the result', async () => {
     const { session, runs } = await reduced();
-    expect(runs[0].options.waypoint).toBe(true);
-    expect(session.state.reduced?.result).not.toHaveProperty('waypoint');
+    expect(runs[0].options.checkpoint).toBe(true);
+    expect(session.state.reduced?.result).not.toHaveProperty('checkpoint');
     expect(session.state.provisional).toBeNull();
   });
 
-  test('answers from the waypoint at once, marked as provisional, and from the original when the slider rests', async () => {
+  test('answers from the checkpoint at once, marked as provisional, and from the original when the slider rests', async () => {
     const { session, runs, drafts, passed, rest } = await reduced();
     const { reduced: before } = session.state;
     session.setBound('pressure', { fraction: 0.04, free: false });
     expect(runs).toHaveLength(1);
     expect(drafts).toHaveLength(1);
-    expect(drafts[0].waypoint).toBe(passed);
+    expect(drafts[0].checkpoint).toBe(passed);
     expect(drafts[0].options.bounds.pressure).toEqual({ relative: 0.04 });
     await drafts[0].finish();
     expect(session.state.provisional?.bounds).toBe(session.state.bounds);
@@ -207,14 +207,14 @@ describe('a session', () => {
     expect(runs).toHaveLength(3);
   });
 
-  test('reduces from the original alone where no waypoint serves', async () => {
+  test('reduces from the original alone where no checkpoint serves', async () => {
     const { session, runs, drafts } = await reduced();
     session.setAllBounds(0.003);
     expect(drafts).toHaveLength(0);
     expect(runs).toHaveLength(2);
   });
 
-  test('does so, too, where an answer from a waypoint fails', async () => {
+  test('does so, too, where an answer from a checkpoint fails', async () => {
     const { session, runs, drafts, rest } = await reduced();
     session.setAllBounds(0.04);
     await drafts[0].fail();
@@ -250,7 +250,7 @@ describe('a session', () => {
     expect(session.state.provisional).toBeNull();
   });
 
-  test('forgets waypoints with the surface', async () => {
+  test('forgets checkpoints with the surface', async () => {
     const { session, runs, drafts } = await reduced();
     await session.openAddress('b.ply');
     session.setAllBounds(0.04);
@@ -260,8 +260,8 @@ describe('a session', () => {
 
   test('asks for none where only the original can tell', async () => {
     const { session, runs, drafts } = await reduced();
-    session.setMethod({ ...firstMethod, dropSmallParts: true });
-    expect(runs[1].options.waypoint).toBe(false);
+    session.setMethod({ ...firstMethod, dropSmallComponents: true });
+    expect(runs[1].options.checkpoint).toBe(false);
     session.setAllBounds(0.04);
     expect(drafts).toHaveLength(0);
   });
@@ -274,7 +274,7 @@ describe('a session', () => {
     expect(runs).toHaveLength(2);
   });
 
-  test('answers from the waypoint of a reduction that ends while the slider moves', async () => {
+  test('answers from the checkpoint of a reduction that ends while the slider moves', async () => {
     const { session, runs, drafts } = await opened();
     session.setAllBounds(0.04);
     await runs[0].finish();
