@@ -212,7 +212,7 @@ RegionReport region_report_from(const val& region) {
     return result;
 }
 
-MeshDefects oddities_from(const val& defects) {
+MeshDefects defects_from(const val& defects) {
     MeshDefects result;
     result.repeated_vertex_triangles = count_from(defects["repeatedVertexTriangles"]);
     result.zero_area_triangles = count_from(defects["zeroAreaTriangles"]);
@@ -234,9 +234,9 @@ Report report_from(const val& report) {
     result.vertices_before = count_from(part_of(report, "vertices")["before"]);
     result.candidates = count_from(report["candidates"]);
     result.variables = list_in<VariableReport>(report, "variables", variable_report_from);
-    result.defects = oddities_from(part_of(report, "defects"));
+    result.defects = defects_from(part_of(report, "defects"));
     const val dropped = part_of(report, "dropped");
-    result.dropped = {count_from(dropped["parts"]), count_from(dropped["triangles"])};
+    result.dropped = {count_from(dropped["components"]), count_from(dropped["triangles"])};
     result.regions = list_in<RegionReport>(report, "regions", region_report_from);
     result.non_manifold_vertices = count_from(report["nonManifoldVertices"]);
     return result;

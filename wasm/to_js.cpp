@@ -171,7 +171,7 @@ val before_after(std::size_t before, std::size_t after) {
     return object(field("before", number(before)), field("after", number(after)));
 }
 
-val oddities_to(const MeshDefects& defects) {
+val defects_to(const MeshDefects& defects) {
     val result = object(field("repeatedVertexTriangles", number(defects.repeated_vertex_triangles)),
                         field("zeroAreaTriangles", number(defects.zero_area_triangles)),
                         field("unusedVertices", number(defects.unused_vertices)),
@@ -212,8 +212,8 @@ val report_to(const Report& report, double seconds) {
         field("vertices", before_after(report.vertices_before, report.vertices_after)),
         field("variables", list_to(report.variables, variable_report_to)),
         field("candidates", number(report.candidates)), field("refused", refusals_to(report.refused)),
-        field("defects", oddities_to(report.defects)),
-        field("dropped", object(field("parts", number(report.dropped.components)),
+        field("defects", defects_to(report.defects)),
+        field("dropped", object(field("components", number(report.dropped.components)),
                                 field("triangles", number(report.dropped.triangles)))),
         field("unusedLockedBoxes", list_to(report.unused_locked_boxes, number)),
         field("regions", list_to(report.regions, region_report_to)),
@@ -286,7 +286,7 @@ val inspection_to(const Mesh& mesh, const MeshDefects& defects, const std::vecto
         variables.call<void>("push", extent_to(variable_of(mesh, i), bounds[i]));
     }
     return object(field("triangles", number(mesh.triangles.size())), field("vertices", number(vertex_count(mesh))),
-                  field("variables", variables), field("defects", oddities_to(defects)));
+                  field("variables", variables), field("defects", defects_to(defects)));
 }
 
 val failure_to(const Status& status) {

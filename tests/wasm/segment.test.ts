@@ -27,7 +27,7 @@ test('says where there is nothing to cut by, or the two do not belong together',
   const other = await reduce(bumpyPlate(6), { bounds });
   await expect(segment(bumpyPlate(8), other)).rejects.toMatchObject({
     code: 'bad_map',
-    message: 'The map has 49 places, but the original has 81 vertices; there must be one for each.',
+    message: 'The map has 49 images, but the original has 81 vertices; there must be one for each.',
   });
   const emptied = { ...other, map: { ...(other.map as SurfaceMap), triangle: new Uint32Array() } };
   await expect(segment(bumpyPlate(6), emptied)).rejects.toThrow(/no map/);

@@ -66,7 +66,7 @@ const signature = {
     region: { type: 'string' },
     'refuse-piercing': { type: 'boolean', default: false },
     'limit-to-feature-size': { type: 'boolean', default: false },
-    boundMultiplier: { type: 'string', multiple: true, default: [] as string[] },
+    'bound-multiplier': { type: 'string', multiple: true, default: [] as string[] },
     'drop-small-components': { type: 'boolean', default: false },
     'lock-points': { type: 'string', multiple: true, default: [] as string[] },
     'lock-region': { type: 'string', multiple: true, default: [] as string[] },
@@ -151,7 +151,7 @@ function requireTogether({ map, levels, errors, region, 'lock-region': regions }
 function parseKeeping(values: Values): Keeping {
   return {
     region: values.region,
-    boundMultiplier: parseBoundMultiplier(values.boundMultiplier),
+    boundMultiplier: parseBoundMultiplier(values['bound-multiplier']),
     dropSmallComponents: values['drop-small-components'],
     points: values['lock-points'].flatMap(parsePoints),
     regionsToLock: values['lock-region'].map(parseRegion),

@@ -51,7 +51,7 @@ const signature = {
     variables: { type: 'string' },
     weld: { type: 'string' },
     exclude: { type: 'string', multiple: true, default: [] as string[] },
-    boundMultiplier: { type: 'string', multiple: true, default: [] as string[] },
+    'bound-multiplier': { type: 'string', multiple: true, default: [] as string[] },
     samples: { type: 'string', default: '50000' },
     json: { type: 'boolean', default: false },
     quiet: { type: 'boolean', default: false },
@@ -91,7 +91,7 @@ async function run(args: string[]): Promise<number> {
   const bounds = parseBounds(values.bound);
   const samples = parseSamples(values.samples);
   const weld = parseWeld(values.weld);
-  const boundMultiplier = parseBoundMultiplier(values.boundMultiplier);
+  const boundMultiplier = parseBoundMultiplier(values['bound-multiplier']);
   const original = without(values.exclude, await openSurface(positionals[0], values.variables, { weld }));
   const reduced = await openSurface(positionals[1]);
   const { names, limits, one, other } = comparable(original, reduced, bounds);

@@ -50,7 +50,7 @@ std::unique_ptr<ErrorModel> make_error_model(const Options& options, const Rows&
 
 ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const MeshDefects& defects,
                            ProgressReporter& reporter)
-    : mesh_(mesh), options_(options), oddities_(defects), reporter_(reporter), pool_(threads_to_use(options)),
+    : mesh_(mesh), options_(options), defects_(defects), reporter_(reporter), pool_(threads_to_use(options)),
       unmet_boxes_(unused_locked_boxes(mesh, options)), surface_(mesh.triangles, vertex_count(mesh), mesh.regions) {
     if (surface_.has_coincident_triangles()) make_one_sided();
     else if (surface_.inconsistent_edges() > 0) orient_surface();
@@ -59,7 +59,7 @@ ReductionRun::ReductionRun(const Mesh& mesh, const Options& options, const MeshD
 
 void ReductionRun::orient_surface() {
     Orientation orientation = orient(mesh_.triangles, vertex_count(mesh_));
-    note_orientation(orientation, oddities_);
+    note_orientation(orientation, defects_);
     if (orientation.flipped == 0) return;
     oriented_ = std::move(orientation.triangles);
     surface_ = Surface(oriented_, vertex_count(mesh_), mesh_.regions);
@@ -67,7 +67,7 @@ void ReductionRun::orient_surface() {
 
 void ReductionRun::make_one_sided() {
     one_sided_ = std::make_unique<OneSided>(mesh_, OneSided::Orienting::as_reduced, side_labels_);
-    one_sided_->note(oddities_);
+    one_sided_->note(defects_);
     const Mesh& shape = one_sided_->shape();
     surface_ = Surface(shape.triangles, vertex_count(mesh_), shape.regions);
 }
@@ -105,7 +105,7 @@ Reduction ReductionRun::reduce_within(const std::vector<ResolvedBound>& bounds, 
 }
 
 Report ReductionRun::begin_report_within(const std::vector<ResolvedBound>& bounds) const {
-    Report report = begin_report(mesh_, bounds, oddities_);
+    Report report = begin_report(mesh_, bounds, defects_);
     report.non_manifold_vertices = surface_.non_manifold_vertices();
     report.dropped = dropped_;
     report.candidates = candidates_;

@@ -69,7 +69,7 @@ private:
 
     const Mesh& mesh_;
     const Options& options_;
-    MeshDefects oddities_;
+    MeshDefects defects_;
     ProgressReporter& reporter_;
     ThreadPool pool_;
     std::vector<std::size_t> unmet_boxes_;
