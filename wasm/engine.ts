@@ -2,14 +2,14 @@ import { checkMap, checkMesh, checkVertices, copyMap, copyMesh } from './copy-me
 import type { Inspection } from './inspection.ts';
 import { TaskQueue } from './task-queue.ts';
 import type {
+  Checkpoint,
   Levels,
   LevelsOptions,
   Mesh,
-  ResumeOptions,
   ReduceOptions,
   Reduction,
+  ResumeOptions,
   Segmentation,
-  Checkpoint,
 } from './types.ts';
 
 /** How an engine starts its worker, and what that loads. Addresses are relative to the document, in Node to the folder it runs in. */

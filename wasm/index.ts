@@ -1,14 +1,14 @@
 import { Engine, type EngineSettings } from './engine.ts';
 import type { Inspection } from './inspection.ts';
 import type {
+  Checkpoint,
   Levels,
   LevelsOptions,
   Mesh,
-  ResumeOptions,
   ReduceOptions,
   Reduction,
+  ResumeOptions,
   Segmentation,
-  Checkpoint,
 } from './types.ts';
 
 export { Engine, type EngineSettings } from './engine.ts';

@@ -1,8 +1,8 @@
 import type createModule from '../build/wasm/meshbound.mjs';
 import type { Inspection } from './inspection.ts';
 import type { ModuleSettings } from './module-settings.ts';
-import type { CoreLevelsOptions, CoreResumeOptions, CoreOptions, Outcome } from './tasks.ts';
-import type { Levels, MappedReduction, Mesh, Reduction, Segmentation, Checkpoint } from './types.ts';
+import type { CoreLevelsOptions, CoreOptions, CoreResumeOptions, Outcome } from './tasks.ts';
+import type { Checkpoint, Levels, MappedReduction, Mesh, Reduction, Segmentation } from './types.ts';
 
 /** The functions of wasm/bindings.cpp. They block until they are done. */
 export interface Core {

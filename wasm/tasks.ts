@@ -1,15 +1,15 @@
 import type { Failure } from './errors.ts';
 import type { Inspection } from './inspection.ts';
 import type {
+  Checkpoint,
   Levels,
   LevelsOptions,
   MappedReduction,
   Mesh,
-  ResumeOptions,
   ReduceOptions,
   Reduction,
+  ResumeOptions,
   Segmentation,
-  Checkpoint,
 } from './types.ts';
 
 /** The options that cross to the worker; signal and progress stay with the caller. */

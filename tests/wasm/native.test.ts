@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { reduce, reduceLevels, resumeReduction } from '../../wasm/index.ts';
-import type { Levels, Mesh, MorphEnd, ReduceOptions, Reduction, SurfaceMap, Checkpoint } from '../../wasm/types.ts';
+import type { Checkpoint, Levels, Mesh, MorphEnd, ReduceOptions, Reduction, SurfaceMap } from '../../wasm/types.ts';
 import { mustSkip } from '../skipping.ts';
 import { differences, type LabelledArrays, type NumberArray, readLabelledArrays } from './labelled-arrays.ts';
 

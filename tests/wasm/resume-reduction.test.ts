@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { reduce, resumeReduction } from '../../wasm/index.ts';
-import type { Bound, Reduction, Checkpoint } from '../../wasm/types.ts';
+import type { Bound, Checkpoint, Reduction } from '../../wasm/types.ts';
 import { bumpyPlate } from './bumpy-plate.ts';
 
 const percent = (share: number): Record<string, Bound> => ({

@@ -2,7 +2,7 @@ import type { ReportOptions } from '../session/report-json.ts';
 import { oneOf, parseArguments } from './arguments.ts';
 import { type Bounds, parseBounds } from './bound-arguments.ts';
 import { UsageFault } from './fault.ts';
-import { type Keeping, parseBox, parseBoundMultiplier, parsePoints, parseRegion } from './keeping-arguments.ts';
+import { type Keeping, parseBoundMultiplier, parseBox, parsePoints, parseRegion } from './keeping-arguments.ts';
 import { levelPaths, parseLevels } from './level-arguments.ts';
 import { outputFormat } from './surface-files.ts';
 import { parseWeld, weldHelp } from './weld-argument.ts';

@@ -12,7 +12,7 @@ import { labelsWithMap, takenMapNames, triangleName, withMap } from '../formats/
 import type { Labels } from '../formats/surface.ts';
 import { listed } from '../formats/wording.ts';
 import { boundsForFile, leastMultiplier, reportOfFile } from '../session/bounds-for-file.ts';
-import { droppedNotes, featureNotes, nearPartsNotes, defectNotes } from '../session/defect-notes.ts';
+import { defectNotes, droppedNotes, featureNotes, nearPartsNotes } from '../session/defect-notes.ts';
 import { reportJson, type Seams } from '../session/report-json.ts';
 import { havePartsWithin } from '../surface/near-parts.ts';
 import { requireKnownBounds, unnamed } from './bound-arguments.ts';

@@ -1,4 +1,4 @@
-import type { VariableReport, Checkpoint } from '../../wasm/types.ts';
+import type { Checkpoint, VariableReport } from '../../wasm/types.ts';
 import { type BoundSetting, wholeOf } from './bound-setting.ts';
 import { isMultiplied, sameKeeping } from './keeping.ts';
 import { sameMethod } from './method.ts';

@@ -1,10 +1,10 @@
 import { asBounds } from './bound-setting.ts';
+import { Checkpoints } from './checkpoints.ts';
 import { Latest, superseded } from './latest.ts';
 import type { OpenSurface } from './open-surface.ts';
 import type { Services } from './services.ts';
 import type { Asked, Reduced } from './session-state.ts';
 import { taskOf } from './task.ts';
-import { Checkpoints } from './checkpoints.ts';
 
 /** What is to be answered now. */
 type Question = () => Asked & { surface: OpenSurface | null };

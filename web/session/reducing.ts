@@ -1,11 +1,11 @@
 import { asBounds } from './bound-setting.ts';
+import { canResume } from './checkpoints.ts';
 import { Latest, superseded } from './latest.ts';
 import type { OpenSurface } from './open-surface.ts';
 import { ProvisionalAnswers } from './provisional-answers.ts';
 import type { Services } from './services.ts';
 import type { Asked, Reduced } from './session-state.ts';
 import { resultOf, taskOf } from './task.ts';
-import { canResume } from './checkpoints.ts';
 
 /**
  * A slider that is being dragged sends many changes. Until it rests this long, in milliseconds, they are answered from a

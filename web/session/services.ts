@@ -1,4 +1,4 @@
-import type { Inspection, Mesh, ResumeOptions, ReduceOptions, Reduction, Checkpoint } from '../../wasm/index.ts';
+import type { Checkpoint, Inspection, Mesh, ReduceOptions, Reduction, ResumeOptions } from '../../wasm/index.ts';
 import type { NamedFile } from '../formats/read-together.ts';
 import type { OpenedFile } from './read.ts';
 import type { Watchers } from './watchers.ts';
