@@ -3,7 +3,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
 
 import { reduce } from '../../wasm/index.ts';
-import { readPly } from '../../web/formats/read-ply.ts';
+import { readPly } from '../../web/formats/ply/read-ply.ts';
 import { mustSkip } from '../skipping.ts';
 
 const sample = 'build/samples/fireballs.ply';

@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 
 /** Text of another language, in which quotation marks are what that language has: XML, HTML, bounds, a command to be typed. */
 const otherLanguages = [
-  'web/formats/write-vtp.ts',
+  'web/formats/vtp/write-vtp.ts',
   'web/element/viewer-state.ts',
   'web/session/bound-text.ts',
   'web/guide/main.ts',

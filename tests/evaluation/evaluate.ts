@@ -7,7 +7,7 @@
 
 import { readFileSync, writeFileSync } from 'node:fs';
 
-import { readPly } from '../../web/formats/read-ply.ts';
+import { readPly } from '../../web/formats/ply/read-ply.ts';
 import type { Surface } from '../../web/formats/surface.ts';
 import { buildNative } from '../peers/native.ts';
 import { findSurfaces } from '../peers/surfaces.ts';

@@ -10,7 +10,7 @@ import { basename } from 'node:path';
 
 import { reduce } from '../../wasm/index.ts';
 import type { Mesh } from '../../wasm/types.ts';
-import { readPly } from '../../web/formats/read-ply.ts';
+import { readPly } from '../../web/formats/ply/read-ply.ts';
 import { markdownTable } from './markdown.ts';
 
 const bounds = { position: { relative: 0.01 }, '*': { relative: 0.03 } };

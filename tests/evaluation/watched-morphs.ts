@@ -4,7 +4,7 @@ import { reduceLevels } from '../../wasm/index.ts';
 import type { Levels, Mesh } from '../../wasm/types.ts';
 import { colourTable } from '../../web/colour/colormaps.ts';
 import { cornerPlaces, fieldOf, fieldRange } from '../../web/colour/field.ts';
-import { readPly } from '../../web/formats/read-ply.ts';
+import { readPly } from '../../web/formats/ply/read-ply.ts';
 import { topologyOf } from '../../web/surface/topology.ts';
 import { frameOf } from '../../web/viewer/frame.ts';
 import { plainLook } from '../../web/viewer/look.ts';

@@ -1,9 +1,9 @@
 import { validateBytes } from 'gltf-validator';
 import { describe, expect, it } from 'vitest';
 import type { Mesh, Reduction } from '../../wasm/types.ts';
+import { screenCoverages, writeGlbLevels } from '../../web/formats/gltf/write-glb-levels.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import { writeLevels } from '../../web/formats/write.ts';
-import { screenCoverages, writeGlbLevels } from '../../web/formats/write-glb-levels.ts';
 import { fingerprint, mixedVariables, smallMesh } from './sample-mesh.ts';
 
 const singles = mixedVariables().filter(({ values }) => values instanceof Float32Array && values.length > 0);

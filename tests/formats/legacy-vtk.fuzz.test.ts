@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { FormatError } from '../../web/formats/format-error.ts';
-import { readVtk } from '../../web/formats/read-vtk.ts';
+import { readVtk } from '../../web/formats/legacy-vtk/read-vtk.ts';
 import { joined, labelsOf, legacyVtkModel, legacyVtkParts, type Part, variablesOf } from './legacy-vtk-file.ts';
 
 it('gives back whatever a legacy VTK file can say', () => {

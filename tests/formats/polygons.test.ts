@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { triangulate } from '../../web/formats/polygons.ts';
+import { triangulate } from '../../web/formats/faces/polygons.ts';
 
 /** A comb: every other tooth reaches down, so no fan covers it; no three of its corners lie on a line. */
 function comb(corners: number) {

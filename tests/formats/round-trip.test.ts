@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Mesh, Variable } from '../../wasm/types.ts';
 import { readSurface } from '../../web/formats/read.ts';
-import { reservedNames } from '../../web/formats/reserved-names.ts';
 import type { Format, WriteOptions } from '../../web/formats/surface.ts';
+import { reservedNames } from '../../web/formats/variables/reserved-names.ts';
 import { writeSurface } from '../../web/formats/write.ts';
 import { fingerprint, mixedVariables, smallMesh } from './sample-mesh.ts';
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { weld } from '../../web/formats/weld.ts';
+import { weld } from '../../web/formats/cracks/weld.ts';
 
 /** Two triangles that share an edge in place, each with points of its own. */
 function torn(values: number[]) {

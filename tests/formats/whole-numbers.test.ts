@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { readSurface } from '../../web/formats/read.ts';
 import type { Format } from '../../web/formats/surface.ts';
-import type { WholeType } from '../../web/formats/whole-types.ts';
+import type { WholeType } from '../../web/formats/variables/whole-types.ts';
 import { lossesOf, writeSurface } from '../../web/formats/write.ts';
 import { smallMesh } from './sample-mesh.ts';
 

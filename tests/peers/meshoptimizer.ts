@@ -3,7 +3,7 @@ import { writeFile } from 'node:fs/promises';
 import { MeshoptSimplifier, type SimplifierFlags } from 'meshoptimizer';
 
 import type { Mesh } from '../../wasm/types.ts';
-import { writePly } from '../../web/formats/write-ply.ts';
+import { writePly } from '../../web/formats/ply/write-ply.ts';
 import type { Peer, Setting, Simplify, Task } from './peer.ts';
 
 const flags: SimplifierFlags[] = [

@@ -2,7 +2,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import type { Mesh } from '../../wasm/types.ts';
-import { writePly } from '../../web/formats/write-ply.ts';
+import { writePly } from '../../web/formats/ply/write-ply.ts';
 import type { Peer, Task } from './peer.ts';
 import { places } from './places.ts';
 import { readScalars } from './surfaces.ts';

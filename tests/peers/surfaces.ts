@@ -2,8 +2,8 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSy
 import { basename, join } from 'node:path';
 
 import type { Mesh } from '../../wasm/types.ts';
-import { readPly } from '../../web/formats/read-ply.ts';
-import { writePly } from '../../web/formats/write-ply.ts';
+import { readPly } from '../../web/formats/ply/read-ply.ts';
+import { writePly } from '../../web/formats/ply/write-ply.ts';
 import { bunnyMesh } from './bunny.ts';
 import { makeSurfaces } from './native.ts';
 import { places } from './places.ts';

@@ -1,5 +1,5 @@
 import { type ParseArgsConfig, parseArgs } from 'node:util';
-import { foreign } from '../formats/wording.ts';
+import { foreign } from '../formats/text/wording.ts';
 import { UsageFault } from './fault.ts';
 
 type Options = NonNullable<ParseArgsConfig['options']>;

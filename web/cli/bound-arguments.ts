@@ -1,5 +1,5 @@
 import type { Bound, Mesh } from '../../wasm/index.ts';
-import { listed, quoted } from '../formats/wording.ts';
+import { listed, quoted } from '../formats/text/wording.ts';
 import { type Bounded, type Bounds, readBound } from '../session/bound-text.ts';
 import { messageOf } from '../session/failure.ts';
 import { Fault, UsageFault } from './fault.ts';

@@ -1,5 +1,5 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
-import { counted, quoted } from '../formats/wording.ts';
+import { counted, quoted } from '../formats/text/wording.ts';
 import { usedPoints } from '../surface/used-points.ts';
 import { scaleOf, spanOf } from '../surface/value-span.ts';
 import { type Bounds, boundOf, requireKnownBounds } from './bound-arguments.ts';

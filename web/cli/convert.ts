@@ -1,4 +1,4 @@
-import { withoutRegionNotes } from '../formats/region-notes.ts';
+import { withoutRegionNotes } from '../formats/regions/region-notes.ts';
 import { parseArguments } from './arguments.ts';
 import type { Command } from './command.ts';
 import { without } from './exclude.ts';

@@ -1,6 +1,6 @@
 import type { Variable } from '../../wasm/index.ts';
-import { withoutRegionNotes } from '../formats/region-notes.ts';
-import { counted, grouped, listed, printable, quoted } from '../formats/wording.ts';
+import { withoutRegionNotes } from '../formats/regions/region-notes.ts';
+import { counted, grouped, listed, printable, quoted } from '../formats/text/wording.ts';
 import { nonFiniteWords } from '../session/defect-notes.ts';
 import { coincidentIn } from '../surface/coincident.ts';
 import { topologyOf } from '../surface/topology.ts';

@@ -1,6 +1,6 @@
 import type { Box } from '../../wasm/index.ts';
-import { withoutRegionNotes } from '../formats/region-notes.ts';
-import { listed, quoted } from '../formats/wording.ts';
+import { withoutRegionNotes } from '../formats/regions/region-notes.ts';
+import { listed, quoted } from '../formats/text/wording.ts';
 import { boxText, readBox } from '../session/box-text.ts';
 import { messageOf } from '../session/failure.ts';
 import { type PointRange, pointsOf, readPoints } from '../session/point-list.ts';

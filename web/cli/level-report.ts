@@ -1,5 +1,5 @@
 import type { Report } from '../../wasm/index.ts';
-import { counted, grouped } from '../formats/wording.ts';
+import { counted, grouped } from '../formats/text/wording.ts';
 import { type ReportOptions, reportJson, type Seams } from '../session/report-json.ts';
 import type { Bounds } from './bound-arguments.ts';
 import { type RegionNames, regionLines } from './region-text.ts';

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 import { version } from '../../package.json';
-import { printable } from '../formats/wording.ts';
+import { printable } from '../formats/text/wording.ts';
 import type { Command } from './command.ts';
 import { exitStatus } from './exit-status.ts';
 import { Fault, UsageFault } from './fault.ts';

@@ -8,9 +8,9 @@ import {
   reduce as reduceMesh,
 } from '../../wasm/index.ts';
 import { originIn } from '../formats/file-rounding.ts';
-import { labelsWithMap, takenMapNames, triangleName, withMap } from '../formats/map-variables.ts';
 import type { Labels } from '../formats/surface.ts';
-import { listed } from '../formats/wording.ts';
+import { listed } from '../formats/text/wording.ts';
+import { labelsWithMap, takenMapNames, triangleName, withMap } from '../formats/variables/map-variables.ts';
 import { boundsForFile, leastMultiplier, reportOfFile } from '../session/bounds-for-file.ts';
 import { defectNotes, droppedNotes, featureNotes, nearPartsNotes } from '../session/defect-notes.ts';
 import { reportJson, type Seams } from '../session/report-json.ts';

@@ -1,5 +1,5 @@
 import type { RegionReport } from '../../wasm/index.ts';
-import { counted, grouped, printable } from '../formats/wording.ts';
+import { counted, grouped, printable } from '../formats/text/wording.ts';
 import { numberText, textTable } from './text-table.ts';
 
 /** What the labels of regions stand for, where the file says so. */

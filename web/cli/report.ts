@@ -1,5 +1,5 @@
 import type { Bound, Report } from '../../wasm/index.ts';
-import { counted, grouped, listed, quoted } from '../formats/wording.ts';
+import { counted, grouped, listed, quoted } from '../formats/text/wording.ts';
 import type { ReportOptions } from '../session/report-json.ts';
 import { whyLittleWent } from '../session/why-little-went.ts';
 import { littleWentSentence } from '../words/little-went.ts';

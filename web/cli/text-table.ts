@@ -1,4 +1,4 @@
-import { printable } from '../formats/wording.ts';
+import { printable } from '../formats/text/wording.ts';
 import { rangeDigits, removedPercent, roundedUp } from '../session/rounding.ts';
 import type { ComponentSpan } from '../surface/value-span.ts';
 

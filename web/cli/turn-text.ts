@@ -1,5 +1,5 @@
 import type { Report } from '../../wasm/index.ts';
-import { counted, grouped } from '../formats/wording.ts';
+import { counted, grouped } from '../formats/text/wording.ts';
 
 /** A line for the triangles that turn away from the original, and one for what the map folds; none where there are none. */
 export function turnLines({ flippedNormals: { before, after }, cells, foldedCells }: Report): string[] {

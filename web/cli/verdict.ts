@@ -1,5 +1,5 @@
 import type { Deviation, Verdict } from '../../wasm/judge-module.ts';
-import { grouped, printable } from '../formats/wording.ts';
+import { grouped, printable } from '../formats/text/wording.ts';
 import type { ComponentSpan } from '../surface/value-span.ts';
 import { placeText, roundedUpText, textTable } from './text-table.ts';
 

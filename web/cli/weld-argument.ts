@@ -1,4 +1,4 @@
-import { notWeld, weldFraction } from '../formats/weld-fraction.ts';
+import { notWeld, weldFraction } from '../formats/cracks/weld-fraction.ts';
 import { UsageFault } from './fault.ts';
 
 /** What `--weld` is in every help text. */

@@ -1,8 +1,8 @@
 import type { Levels } from '../../wasm/types.ts';
 import { formatNames } from '../formats/format-names.ts';
-import { labelsWithMap, takenMapNames, withMap } from '../formats/map-variables.ts';
 import type { Format } from '../formats/surface.ts';
-import { listed } from '../formats/wording.ts';
+import { listed } from '../formats/text/wording.ts';
+import { labelsWithMap, takenMapNames, withMap } from '../formats/variables/map-variables.ts';
 import { lossesOf, writeLevels, writeSurface } from '../formats/write.ts';
 import { asBounds } from '../session/bound-setting.ts';
 import { leastMultiplier, requireKept } from '../session/bounds-for-file.ts';

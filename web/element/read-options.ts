@@ -1,5 +1,5 @@
+import { notWeld, weldFraction } from '../formats/cracks/weld-fraction.ts';
 import type { ReadOptions } from '../formats/read.ts';
-import { notWeld, weldFraction } from '../formats/weld-fraction.ts';
 
 /** How the next surface is to be read, from the attribute `weld`. Throws where that is no fraction. */
 export function readOptionsFrom(weld: string | null): ReadOptions {

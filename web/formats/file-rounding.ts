@@ -1,5 +1,5 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
-import { localOrigin, type Origin } from './local-origin.ts';
+import { localOrigin, type Origin } from './gltf/local-origin.ts';
 import type { Format } from './surface.ts';
 
 const singlePrecision: ReadonlySet<Format> = new Set<Format>(['glb', 'stl']);

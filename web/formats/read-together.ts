@@ -1,6 +1,6 @@
 import { FormatError } from './format-error.ts';
 import { addVariables, type ReadOptions, readSurface, type SurfaceFile } from './read.ts';
-import { listed, quoted } from './wording.ts';
+import { listed, quoted } from './text/wording.ts';
 
 /** A file in memory by its name alone. */
 export interface NamedFile {

@@ -1,26 +1,26 @@
 import type { Variable } from '../../wasm/types.ts';
-import { withCrackNotes, withWeldedEnds } from './cracks.ts';
+import { gunzip, isGzip } from './bytes/gzip.ts';
+import { withinMemory } from './bytes/within-memory.ts';
+import { withCrackNotes, withWeldedEnds } from './cracks/cracks.ts';
+import { withOpenSeams } from './cracks/open-seams.ts';
+import { withJoinedFaces } from './faces/loose-faces.ts';
 import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
-import { gunzip, isGzip } from './gzip.ts';
-import { identifierNotes, withKinds } from './identifiers.ts';
-import { withJoinedFaces } from './loose-faces.ts';
-import { withOpenSeams } from './open-seams.ts';
 import { recognise } from './recognise.ts';
-import { renamedKeys, renamedVariables, reservedNames } from './reserved-names.ts';
-import { stlKind } from './stl-kind.ts';
+import { stlKind } from './stl/stl-kind.ts';
 import { type Beside, type Format, noLabels, type Surface } from './surface.ts';
-import { withinMemory } from './within-memory.ts';
-import { quoted } from './wording.ts';
+import { quoted } from './text/wording.ts';
+import { identifierNotes, withKinds } from './variables/identifiers.ts';
+import { renamedKeys, renamedVariables, reservedNames } from './variables/reserved-names.ts';
 
 /** One reader a format, each loaded when the first file of its format comes. */
 const readers: Record<Format, () => Promise<(bytes: Uint8Array, beside?: Beside) => Surface | Promise<Surface>>> = {
-  ply: async () => (await import('./read-ply.ts')).readPly,
-  vtp: async () => (await import('./read-vtp.ts')).readVtp,
-  vtk: async () => (await import('./read-vtk.ts')).readVtk,
-  obj: async () => (await import('./read-obj.ts')).readObj,
-  stl: async () => (await import('./read-stl.ts')).readStl,
-  glb: async () => (await import('./read-gltf.ts')).readGltf,
+  ply: async () => (await import('./ply/read-ply.ts')).readPly,
+  vtp: async () => (await import('./vtp/read-vtp.ts')).readVtp,
+  vtk: async () => (await import('./legacy-vtk/read-vtk.ts')).readVtk,
+  obj: async () => (await import('./obj/read-obj.ts')).readObj,
+  stl: async () => (await import('./stl/read-stl.ts')).readStl,
+  glb: async () => (await import('./gltf/read-gltf.ts')).readGltf,
 };
 
 export interface SurfaceFile extends Surface {
@@ -64,7 +64,7 @@ async function unpacked(bytes: Uint8Array): Promise<Uint8Array> {
 
 /** The surface with the variables of a CSV file beside it, packed by gzip or not, a line for each point; see readCsv. */
 export async function addVariables(surface: SurfaceFile, csv: Uint8Array): Promise<SurfaceFile> {
-  const { readCsv } = await import('./read-csv.ts');
+  const { readCsv } = await import('./csv/read-csv.ts');
   const { mesh } = surface.asRead ?? surface;
   const added = await withinMemory(async () => readCsv(await unpacked(csv), mesh.position.length / 3));
   const known = new Set([...reservedNames, ...mesh.variables.map(({ name }) => name)]);

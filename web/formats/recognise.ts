@@ -1,6 +1,6 @@
 import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
-import { stlKind } from './stl-kind.ts';
+import { stlKind } from './stl/stl-kind.ts';
 import type { Format } from './surface.ts';
 
 /** Room for the comments that files may begin with. */

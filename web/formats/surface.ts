@@ -1,6 +1,6 @@
 import type { Mesh } from '../../wasm/types.ts';
-import type { Origin } from './local-origin.ts';
-import type { WholeType } from './whole-types.ts';
+import type { Origin } from './gltf/local-origin.ts';
+import type { WholeType } from './variables/whole-types.ts';
 
 /** The formats that are read and written, by the usual ending of their names. */
 export type Format = 'ply' | 'vtp' | 'vtk' | 'obj' | 'stl' | 'glb';

@@ -1,14 +1,14 @@
 import type { Levels, Mesh, Variable, VariableReport } from '../../wasm/types.ts';
+import { gzip } from './bytes/gzip.ts';
+import { withinMemory } from './bytes/within-memory.ts';
+import { gather } from './cracks/weld.ts';
 import { roundingsOf } from './file-rounding.ts';
 import { FormatError } from './format-error.ts';
 import { formatNames } from './format-names.ts';
-import { gzip } from './gzip.ts';
-import { labelArrays } from './label-arrays.ts';
+import { labelArrays } from './regions/label-arrays.ts';
 import type { Format, Labels, WriteOptions } from './surface.ts';
-import { gather } from './weld.ts';
-import { noLongerWhole } from './whole-numbers.ts';
-import { withinMemory } from './within-memory.ts';
-import { counted, listed, quoted } from './wording.ts';
+import { counted, listed, quoted } from './text/wording.ts';
+import { noLongerWhole } from './variables/whole-numbers.ts';
 
 interface Writer {
   write: (mesh: Mesh, options?: WriteOptions) => Uint8Array | Promise<Uint8Array>;
@@ -40,11 +40,11 @@ const lossless = {
 
 /** One writer a format, each loaded when first asked for. */
 const writers: Record<Format, () => Promise<Writer>> = {
-  ply: async () => ({ write: (await import('./write-ply.ts')).writePly, ...lossless, nameless: true }),
-  vtp: async () => ({ write: (await import('./write-vtp.ts')).writeVtp, ...lossless }),
-  vtk: async () => ({ write: (await import('./write-vtk.ts')).writeVtk, ...lossless }),
+  ply: async () => ({ write: (await import('./ply/write-ply.ts')).writePly, ...lossless, nameless: true }),
+  vtp: async () => ({ write: (await import('./vtp/write-vtp.ts')).writeVtp, ...lossless }),
+  vtk: async () => ({ write: (await import('./legacy-vtk/write-vtk.ts')).writeVtk, ...lossless }),
   obj: async () => {
-    const { writeObj, lostInObj, materialArray } = await import('./write-obj.ts');
+    const { writeObj, lostInObj, materialArray } = await import('./obj/write-obj.ts');
     return {
       write: writeObj,
       lost: lostInObj,
@@ -56,7 +56,7 @@ const writers: Record<Format, () => Promise<Writer>> = {
     };
   },
   stl: async () => {
-    const { writeStl } = await import('./write-stl.ts');
+    const { writeStl } = await import('./stl/write-stl.ts');
     return {
       write: writeStl,
       lost: (mesh) => mesh.variables,
@@ -68,7 +68,7 @@ const writers: Record<Format, () => Promise<Writer>> = {
     };
   },
   glb: async () => {
-    const { writeGlb } = await import('./write-glb.ts');
+    const { writeGlb } = await import('./gltf/write-glb.ts');
     return {
       write: writeGlb,
       lost: () => [],
@@ -98,7 +98,7 @@ export async function writeSurface(format: Format, mesh: Mesh, options?: WriteOp
 export async function writeLevels({ levels }: Pick<Levels, 'levels'>, options?: WriteOptions): Promise<Uint8Array> {
   const writer = await writers.glb();
   for (const { mesh } of levels) requirePlace('glb', mesh, writer);
-  const { writeGlbLevels } = await import('./write-glb-levels.ts');
+  const { writeGlbLevels } = await import('./gltf/write-glb-levels.ts');
   const parts = levels.map(({ mesh, report }) => ({ mesh, error: relativeError(report.variables[0]) }));
   return writeGlbLevels(parts, options);
 }

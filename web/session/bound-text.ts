@@ -1,5 +1,5 @@
 import type { Bound, Variable } from '../../wasm/types.ts';
-import { quoted } from '../formats/wording.ts';
+import { quoted } from '../formats/text/wording.ts';
 import { readDecimal } from './decimal.ts';
 
 /** Bounds by variable name; `position` is the geometry, `*` every variable not named but identifiers. */

@@ -3,7 +3,7 @@ import { roundingsOf } from '../formats/file-rounding.ts';
 import { FormatError } from '../formats/format-error.ts';
 import { formatNames } from '../formats/format-names.ts';
 import type { Format } from '../formats/surface.ts';
-import { quoted } from '../formats/wording.ts';
+import { quoted } from '../formats/text/wording.ts';
 import { scaleOf, spanOf } from '../surface/value-span.ts';
 import { type Bounds, boundOf } from './bound-text.ts';
 

@@ -1,5 +1,5 @@
 import type { NonFinite, Report } from '../../wasm/types.ts';
-import { quoted } from '../formats/wording.ts';
+import { quoted } from '../formats/text/wording.ts';
 
 /** A sentence for each kind of defect that a valid surface has. */
 export function defectNotes({

@@ -1,4 +1,4 @@
-import { quoted } from '../formats/wording.ts';
+import { quoted } from '../formats/text/wording.ts';
 
 /** Points that follow one another, by their numbers, counted from 0; `last` is among them. */
 export type PointRange = readonly [first: number, last: number];

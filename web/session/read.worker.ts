@@ -1,6 +1,6 @@
 import type { ReadOptions } from '../formats/read.ts';
 import { type NamedFile, readTogether } from '../formats/read-together.ts';
-import { withoutRegionNotes } from '../formats/region-notes.ts';
+import { withoutRegionNotes } from '../formats/regions/region-notes.ts';
 import { codeOf, messageOf } from './failure.ts';
 import type { OpenedFile, ReadAnswer } from './read.ts';
 

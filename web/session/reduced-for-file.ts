@@ -1,6 +1,6 @@
 import type { Mesh } from '../../wasm/types.ts';
 import { originIn } from '../formats/file-rounding.ts';
-import type { Origin } from '../formats/local-origin.ts';
+import type { Origin } from '../formats/gltf/local-origin.ts';
 import type { Format } from '../formats/surface.ts';
 import { asBounds } from './bound-setting.ts';
 import { boundsForFile, isKept, leastMultiplier } from './bounds-for-file.ts';

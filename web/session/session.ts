@@ -1,6 +1,6 @@
 import type { Inspection, VariableExtent } from '../../wasm/index.ts';
-import { choosableRegionNotes } from '../formats/region-notes.ts';
-import { listed, quoted } from '../formats/wording.ts';
+import { choosableRegionNotes } from '../formats/regions/region-notes.ts';
+import { listed, quoted } from '../formats/text/wording.ts';
 import { type BoundSetting, type BoundSettings, defaultBounds, moveAll, settingsFrom } from './bound-setting.ts';
 import type { Bounds } from './bound-text.ts';
 import { defectNotes, nonFiniteWords } from './defect-notes.ts';

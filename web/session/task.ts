@@ -1,5 +1,5 @@
 import type { Levels, Mesh, MorphEnd, ReduceOptions, Reduction, Variable } from '../../wasm/types.ts';
-import { listed } from '../formats/wording.ts';
+import { listed } from '../formats/text/wording.ts';
 import type { Multiplied } from '../probe/multiplied.ts';
 import { multiplierNear } from '../surface/nearness.ts';
 import type { Keeping } from './keeping.ts';
