@@ -12,6 +12,6 @@ done
 node_modules/.bin/tsx web/samples/build.ts
 node_modules/.bin/vite build --config web/vite.config.ts --logLevel warn
 node_modules/.bin/vite build --config web/element/vite.config.ts --logLevel warn
-node_modules/.bin/vite build --config web/cli/vite.config.ts --logLevel warn
+node_modules/.bin/vite build --config web/node-cli/vite.config.ts --logLevel warn
 chmod +x build/cli/meshbound.mjs # npx runs it as it is
 node_modules/.bin/cem analyze --config web/element/manifest.config.mjs --quiet

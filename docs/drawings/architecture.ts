@@ -63,7 +63,7 @@ export function architecture(): string {
     room([588, 170], 148, 'fill-green', 'web/viewer', 'three.js; knows', 'triangles and colours'),
     room([206, 320], 350, 'fill-violet', 'wasm', 'TypeScript API, queue, worker, bindings (Embind)'),
     room([206, 440], 350, 'fill-orange', 'core', 'the reduction: C++20 and GLM, no file, no browser'),
-    room([24, 320], 152, 'fill-blue', 'web/cli', 'command line (Node)'),
+    room([24, 320], 152, 'fill-blue', 'web/node-cli', 'command line (Node)'),
     room([24, 440], 152, 'fill-soft', 'a C++ program', 'links meshbound::core'),
     room([588, 320], 148, 'fill-soft', 'tests/judge', 'knows two meshes', 'and the bounds'),
     arrow('soft', [376, 67], [386, 67]),

@@ -1,5 +1,5 @@
 import { beforeAll, describe, expect, test } from 'vitest';
-import { levelPaths, parseLevels } from '../../web/cli/level-arguments.ts';
+import { levelPaths, parseLevels } from '../../web/node-cli/options/level-arguments.ts';
 import { Folder } from './command.ts';
 import { engine } from './engine.ts';
 

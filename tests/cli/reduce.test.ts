@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import type { Mesh, Report } from '../../wasm/types.ts';
-import { reportText } from '../../web/cli/report.ts';
 import { writeSurface } from '../../web/formats/write.ts';
+import { reportText } from '../../web/node-cli/output/report.ts';
 import { Folder } from './command.ts';
 import { engine } from './engine.ts';
 

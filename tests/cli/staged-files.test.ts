@@ -1,6 +1,6 @@
 import { chmodSync, statSync, symlinkSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { requireWritable, StagedFiles } from '../../web/cli/staged-files.ts';
+import { requireWritable, StagedFiles } from '../../web/node-cli/files/staged-files.ts';
 import { Folder } from './command.ts';
 
 const folder = new Folder();

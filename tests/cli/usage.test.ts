@@ -1,6 +1,6 @@
 import { mkdirSync } from 'node:fs';
 import { beforeAll, describe, expect, test } from 'vitest';
-import { parseBounds } from '../../web/cli/bound-arguments.ts';
+import { parseBounds } from '../../web/node-cli/options/bound-arguments.ts';
 import { Folder } from './command.ts';
 import { engine } from './engine.ts';
 

@@ -9,11 +9,11 @@ import * as rooms from './rooms.ts';
 function tableUnder(heading: string): [string, string][] {
   const document = readFileSync('docs/architecture.md', 'utf8');
   const section = document.split(/^## /m).find((text) => text.startsWith(`${heading}\n`)) ?? '';
-  return Array.from(section.matchAll(/^\| `([\w/]+)` \|.*\|([^|]*)\|$/gm), ([, name, last]) => [name, last]);
+  return Array.from(section.matchAll(/^\| `([\w/-]+)` \|.*\|([^|]*)\|$/gm), ([, name, last]) => [name, last]);
 }
 
 function namesIn(cell: string): string[] {
-  return Array.from(cell.matchAll(/`([\w/.]+)`/g), ([, name]) => name);
+  return Array.from(cell.matchAll(/`([\w/.-]+)`/g), ([, name]) => name);
 }
 
 /** What each folder may import besides itself. */
@@ -52,6 +52,14 @@ function circlesIn(imports: Map<string, string[]>): string[] {
 test('the table names every folder of web', () => {
   const folders = readdirSync('web', { withFileTypes: true }).filter((entry) => entry.isDirectory());
   expect([...allowed.keys()]).toEqual(expect.arrayContaining(folders.map(({ name }) => `web/${name}`)));
+});
+
+test('the table names every room of web', () => {
+  const document = readFileSync('docs/architecture.md', 'utf8');
+  const found = readdirSync('web', { recursive: true, encoding: 'utf8' })
+    .map((path) => `web/${path}`)
+    .filter((path) => path.split('/').length === 3 && statSync(path).isDirectory());
+  expect(found.filter((room) => !document.includes(`\`${room}\``))).toEqual([]);
 });
 
 test.each([...allowed.keys()])('%s imports what it may', (folder) => {

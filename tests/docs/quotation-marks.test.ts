@@ -5,10 +5,10 @@ import { expect, it } from 'vitest';
 /** Text of another language, in which quotation marks are what that language has: XML, HTML, bounds, a command to be typed. */
 const otherLanguages = [
   'web/formats/vtp/write-vtp.ts',
-  'web/element/viewer-state.ts',
-  'web/session/bound-text.ts',
+  'web/element/attributes/viewer-state.ts',
+  'web/session/bounds/bound-text.ts',
   'web/guide/main.ts',
-  'web/cli/fault.ts',
+  'web/node-cli/fault.ts',
 ];
 
 function filesIn(folder: string, ending: RegExp): string[] {

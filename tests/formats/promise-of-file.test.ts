@@ -4,12 +4,12 @@ import { describe, expect, it } from 'vitest';
 import { reduce } from '../../wasm/index.ts';
 import { loadJudge } from '../../wasm/judge-module.ts';
 import type { Bound, Mesh } from '../../wasm/types.ts';
-import { findingsOf } from '../../web/cli/verdict.ts';
 import { originIn, roundingsOf } from '../../web/formats/file-rounding.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import type { Format } from '../../web/formats/surface.ts';
 import { lossesOf, writeLevels, writeSurface } from '../../web/formats/write.ts';
-import { boundsForFile, reportOfFile, requireKept } from '../../web/session/bounds-for-file.ts';
+import { findingsOf } from '../../web/node-cli/output/verdict.ts';
+import { boundsForFile, reportOfFile, requireKept } from '../../web/session/bounds/bounds-for-file.ts';
 
 const side = 21;
 

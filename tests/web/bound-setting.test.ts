@@ -8,8 +8,8 @@ import {
   moveAll,
   parsePercent,
   settingsFrom,
-} from '../../web/session/bound-setting.ts';
-import { fieldText } from '../../web/session/rounding.ts';
+} from '../../web/session/bounds/bound-setting.ts';
+import { fieldText } from '../../web/session/bounds/rounding.ts';
 
 describe('bound settings', () => {
   test('begin at 1 % in space and 3 % in every variable', () => {

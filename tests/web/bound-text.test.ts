@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import type { Bound } from '../../wasm/types.ts';
-import { boundsText, readBounds } from '../../web/session/bound-text.ts';
+import { boundsText, readBounds } from '../../web/session/bounds/bound-text.ts';
 
 describe('bounds as text', () => {
   test.each<[string, Record<string, Bound>]>([

@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { Mesh, ReduceOptions, Reduction } from '../../wasm/types.ts';
-import { defaultBounds, moveAll } from '../../web/session/bound-setting.ts';
-import { BoundsCurve, curveFractions } from '../../web/session/bounds-curve.ts';
-import { nothingKept } from '../../web/session/keeping.ts';
+import { defaultBounds, moveAll } from '../../web/session/bounds/bound-setting.ts';
+import { BoundsCurve, curveFractions } from '../../web/session/bounds/bounds-curve.ts';
+import { nothingKept } from '../../web/session/constraints/keeping.ts';
 import type { SessionState } from '../../web/session/session-state.ts';
 
 beforeEach(() => void vi.useFakeTimers());

@@ -1,9 +1,9 @@
 // While bounds move a session answers from a checkpoint, and the result at rest is the one from the original.
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import type { Checkpoint, ReduceOptions, Reduction, Report, ResumeOptions } from '../../wasm/types.ts';
-import { Checkpoints } from '../../web/session/checkpoints.ts';
-import { nothingKept } from '../../web/session/keeping.ts';
-import { firstMethod } from '../../web/session/method.ts';
+import { nothingKept } from '../../web/session/constraints/keeping.ts';
+import { firstMethod } from '../../web/session/constraints/method.ts';
+import { Checkpoints } from '../../web/session/reducing/checkpoints.ts';
 import { Session } from '../../web/session/session.ts';
 import { answerOf } from '../../web/session/session-state.ts';
 import { noDefects } from './no-defects.ts';

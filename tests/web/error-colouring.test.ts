@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import type { Mesh, Reduction, TriangleErrors, VariableReport, VertexErrors } from '../../wasm/types.ts';
 import { missingPlace } from '../../web/colour/missing-place.ts';
-import { originalErrors, reducedErrors } from '../../web/element/error-colouring.ts';
-import { firstView, type Quantity, type ViewSettings } from '../../web/element/view-settings.ts';
+import { firstView, type Quantity, type ViewSettings } from '../../web/element/attributes/view-settings.ts';
+import { originalErrors, reducedErrors } from '../../web/element/stage/error-colouring.ts';
 
 const labels = { units: { t: 'K' }, componentNames: {} };
 const mesh: Mesh = { position: new Float32Array(9), triangles: Uint32Array.of(0, 1, 2), variables: [] };

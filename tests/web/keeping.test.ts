@@ -1,11 +1,11 @@
 // What of a surface is kept: as attributes say it, as the core is told, and what comes back.
 import { describe, expect, test } from 'vitest';
 import { reduce, reduceLevels } from '../../wasm/index.ts';
-import { keepingFrom, keepingText } from '../../web/element/keeping-attributes.ts';
-import { type Keeping, nothingKept } from '../../web/session/keeping.ts';
-import { firstMethod } from '../../web/session/method.ts';
-import type { OpenSurface } from '../../web/session/open-surface.ts';
-import { levelsOf, resultOf, taskOf } from '../../web/session/task.ts';
+import { keepingFrom, keepingText } from '../../web/element/attributes/keeping-attributes.ts';
+import { type Keeping, nothingKept } from '../../web/session/constraints/keeping.ts';
+import { firstMethod } from '../../web/session/constraints/method.ts';
+import type { OpenSurface } from '../../web/session/reading/open-surface.ts';
+import { levelsOf, resultOf, taskOf } from '../../web/session/reducing/task.ts';
 
 const side = 24;
 

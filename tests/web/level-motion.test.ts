@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { LevelMotion } from '../../web/element/level-motion.ts';
-import type { LevelSession } from '../../web/session/level-session.ts';
+import type { LevelSession } from '../../web/session/reducing/level-session.ts';
 
 /** The most that one frame may move, in levels: what is farther is seen as a jump. */
 const smooth = 0.2;

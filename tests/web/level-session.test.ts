@@ -1,6 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
 import type { Levels, LevelsOptions, Mesh, Reduction } from '../../wasm/types.ts';
-import { coarser, LevelSession } from '../../web/session/level-session.ts';
+import { coarser, LevelSession } from '../../web/session/reducing/level-session.ts';
 import { Session } from '../../web/session/session.ts';
 import type { Reduced } from '../../web/session/session-state.ts';
 import { noDefects } from './no-defects.ts';

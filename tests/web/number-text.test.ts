@@ -10,7 +10,7 @@ import {
   valueText,
   withUnit,
 } from '../../web/element/number-text.ts';
-import { roundedUp } from '../../web/session/rounding.ts';
+import { roundedUp } from '../../web/session/bounds/rounding.ts';
 
 /** Narrow spaces that do not break, as plain ones. */
 const plain = (text: string) => text.replace(/[\u202f\u00a0]/g, ' ');

@@ -1,7 +1,7 @@
 // Who waits for a reduction is told how it ends, whatever becomes of it.
 import { expect, test } from 'vitest';
 import type { Reduction } from '../../wasm/types.ts';
-import { outcomeOf } from '../../web/element/outcome.ts';
+import { outcomeOf } from '../../web/element/result/outcome.ts';
 import { Session } from '../../web/session/session.ts';
 import { noDefects } from './no-defects.ts';
 

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { fractionAt, placeOf } from '../../web/element/bound-place.ts';
-import { savedFileName } from '../../web/element/file-name.ts';
+import { fractionAt, placeOf } from '../../web/element/controls/bound-place.ts';
+import { savedFileName } from '../../web/element/saving/file-name.ts';
 
 describe('the slider', () => {
   test('reaches from 0.01 % to 20 %', () => {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { Report, VariableReport } from '../../wasm/types.ts';
-import { heldBackShares, promiseSentence, roughShareText } from '../../web/element/promise-words.ts';
+import { heldBackShares, promiseSentence, roughShareText } from '../../web/element/result/promise-words.ts';
 import { noDefects } from './no-defects.ts';
 
 function variable(name: string, fraction: number, ratio: number, refused = 0): VariableReport {

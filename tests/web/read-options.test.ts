@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { readOptionsFrom } from '../../web/element/read-options.ts';
+import { readOptionsFrom } from '../../web/element/attributes/read-options.ts';
 
 test.each([
   [null, {}],

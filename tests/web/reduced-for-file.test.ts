@@ -5,10 +5,10 @@ import { roundingsOf } from '../../web/formats/file-rounding.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import { noLabels } from '../../web/formats/surface.ts';
 import { writeSurface } from '../../web/formats/write.ts';
-import { asBounds } from '../../web/session/bound-setting.ts';
-import { nothingKept } from '../../web/session/keeping.ts';
-import { firstMethod } from '../../web/session/method.ts';
-import { reducedForFile } from '../../web/session/reduced-for-file.ts';
+import { asBounds } from '../../web/session/bounds/bound-setting.ts';
+import { nothingKept } from '../../web/session/constraints/keeping.ts';
+import { firstMethod } from '../../web/session/constraints/method.ts';
+import { reducedForFile } from '../../web/session/reducing/reduced-for-file.ts';
 
 const side = 25;
 

@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { numberText, placeText, rangeTexts, removedText } from '../../web/cli/text-table.ts';
 import { removedText as removedOnPage, tickText, valueText } from '../../web/element/number-text.ts';
-import { rangeDigits, removedPercent, tellingDigits } from '../../web/session/rounding.ts';
+import { numberText, placeText, rangeTexts, removedText } from '../../web/node-cli/output/text-table.ts';
+import { rangeDigits, removedPercent, tellingDigits } from '../../web/session/bounds/rounding.ts';
 
 const plain = (text: string) => text.replace(/[\u202f\u00a0]/g, ' ');
 

@@ -1,7 +1,7 @@
 import { describe, expect, test, vi } from 'vitest';
 import type { Mesh, ReduceOptions, Reduction } from '../../wasm/types.ts';
-import { type Keeping, nothingKept } from '../../web/session/keeping.ts';
-import type { OpenedFile } from '../../web/session/read.ts';
+import { type Keeping, nothingKept } from '../../web/session/constraints/keeping.ts';
+import type { OpenedFile } from '../../web/session/reading/read.ts';
 import type { Services } from '../../web/session/services.ts';
 import { Session } from '../../web/session/session.ts';
 import { standingOf } from '../../web/session/session-state.ts';

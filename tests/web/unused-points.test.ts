@@ -3,10 +3,10 @@
 import { describe, expect, test } from 'vitest';
 import type { Mesh } from '../../wasm/types.ts';
 import { fieldRange, usedValues } from '../../web/colour/field.ts';
-import { nearestVertex } from '../../web/page/nearest-vertex.ts';
-import { placeInSight } from '../../web/page/proposed-place.ts';
-import { boundsForFile, leastMultiplier } from '../../web/session/bounds-for-file.ts';
-import { unusedNotes } from '../../web/session/defect-notes.ts';
+import { nearestVertex } from '../../web/page/constraints/nearest-vertex.ts';
+import { placeInSight } from '../../web/page/constraints/proposed-place.ts';
+import { boundsForFile, leastMultiplier } from '../../web/session/bounds/bounds-for-file.ts';
+import { unusedNotes } from '../../web/session/report/defect-notes.ts';
 import { spanOf } from '../../web/surface/value-span.ts';
 
 describe.each([[Number.NaN], [1e9], [0]])('points at %d', (place) => {

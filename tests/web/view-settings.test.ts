@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { firstView, settingsFor, type WantedView } from '../../web/element/view-settings.ts';
-import type { OpenSurface } from '../../web/session/open-surface.ts';
+import { firstView, settingsFor, type WantedView } from '../../web/element/attributes/view-settings.ts';
+import type { OpenSurface } from '../../web/session/reading/open-surface.ts';
 
 const extent = { components: 1, extent: 1, magnitude: 1, constant: false };
 const position = { ...extent, name: 'position', components: 3 };

@@ -6,7 +6,7 @@ import {
   stateFromJson,
   stateJson,
   type ViewerState,
-} from '../../web/element/viewer-state.ts';
+} from '../../web/element/attributes/viewer-state.ts';
 
 const state: ViewerState = {
   src: 'https://example.org/a b.ply?x=1&y=#2',

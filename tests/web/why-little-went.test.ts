@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import type { Report } from '../../wasm/types.ts';
-import { promiseSentence } from '../../web/element/promise-words.ts';
-import { type Reason, whyLittleWent } from '../../web/session/why-little-went.ts';
+import { promiseSentence } from '../../web/element/result/promise-words.ts';
+import { type Reason, whyLittleWent } from '../../web/session/report/why-little-went.ts';
 import { littleWentSentence } from '../../web/words/little-went.ts';
 import { noDefects } from './no-defects.ts';
 

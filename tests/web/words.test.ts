@@ -5,7 +5,7 @@ import { english } from '../../web/words/english.ts';
 import { pageEnglish } from '../../web/words/page-english.ts';
 
 const sources = ['web/element', 'web/page'].flatMap((folder) =>
-  readdirSync(folder)
+  readdirSync(folder, { recursive: true, encoding: 'utf8' })
     .filter((name) => name.endsWith('.ts'))
     .map((name) => ({ name: `${folder}/${name}`, text: readFileSync(`${folder}/${name}`, 'utf8') })),
 );

@@ -1,4 +1,4 @@
-import type { LevelSession } from '../session/level-session.ts';
+import type { LevelSession } from '../session/reducing/level-session.ts';
 
 /** Milliseconds on the way from a level to the next: long enough to be smooth, short enough not to be waited for. */
 const wayTime = 400;

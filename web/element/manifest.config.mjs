@@ -30,7 +30,7 @@ const publicOnly = {
 
 /** dist/element/custom-elements.json: what editors, and the page about the element, know of it. */
 export default {
-  globs: [element, 'web/element/viewer-properties.ts'],
+  globs: [element, 'web/element/attributes/viewer-properties.ts'],
   outdir: 'dist/element',
   litelement: true,
   packagejson: false,

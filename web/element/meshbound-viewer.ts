@@ -2,43 +2,49 @@ import { html, nothing, type PropertyValues } from 'lit';
 import { inspect, reduce, reduceLevels, resumeReduction, segment } from '../../wasm/index.ts';
 import type { Reduction, Report } from '../../wasm/types.ts';
 import type { Probe } from '../probe/probe.ts';
-import { areFirst, asBounds, largestFraction } from '../session/bound-setting.ts';
-import { boundsText, readBounds } from '../session/bound-text.ts';
-import { fetchBytes } from '../session/fetch-bytes.ts';
-import { LevelSession, mostLevels } from '../session/level-session.ts';
+import { areFirst, asBounds, largestFraction } from '../session/bounds/bound-setting.ts';
+import { boundsText, readBounds } from '../session/bounds/bound-text.ts';
 import { Probing } from '../session/probing.ts';
-import { readInWorker } from '../session/read.ts';
+import { fetchBytes } from '../session/reading/fetch-bytes.ts';
+import { readInWorker } from '../session/reading/read.ts';
+import { LevelSession, mostLevels } from '../session/reducing/level-session.ts';
 import { Session } from '../session/session.ts';
 import { answerOf, type Reduced, type SessionState, type Standing, standingOf } from '../session/session-state.ts';
-import { readOptionsFrom } from './read-options.ts';
-import './bound-slider.ts';
-import { controlsStyle } from './controls-style.ts';
-import type { SavedKind } from './download.ts';
-import { keepingAttributes, keepingFrom } from './keeping-attributes.ts';
-import './levels-panel.ts';
+import { readOptionsFrom } from './attributes/read-options.ts';
+import './controls/bound-slider.ts';
+import { keepingAttributes, keepingFrom } from './attributes/keeping-attributes.ts';
+import { controlsStyle } from './controls/controls-style.ts';
+import type { SavedKind } from './saving/download.ts';
+import './controls/levels-panel.ts';
 import { LevelMotion } from './level-motion.ts';
-import { LevelView } from './level-view.ts';
-import './notices.ts';
-import { LastingStanding } from './lasting-standing.ts';
+import { LevelView } from './stage/level-view.ts';
+import './controls/notices.ts';
 import { percentText } from './number-text.ts';
-import { outcomeOf } from './outcome.ts';
-import { stepOf } from './progress.ts';
-import { isMeasured } from './promise-words.ts';
-import './result-bar.ts';
-import { resultLead } from './result-lead.ts';
+import { LastingStanding } from './result/lasting-standing.ts';
+import { outcomeOf } from './result/outcome.ts';
+import { stepOf } from './result/progress.ts';
+import { isMeasured } from './result/promise-words.ts';
+import './result/result-bar.ts';
+import type { Pointed } from './probe/stage-probe.ts';
+import { resultLead } from './result/result-lead.ts';
 import { Sight } from './sight.ts';
-import type { Shown, Stage } from './stage.ts';
-import type { Pointed } from './stage-probe.ts';
-import './stage.ts';
+import type { Shown, Stage } from './stage/stage.ts';
+import './stage/stage.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import { tokens } from './tokens.ts';
-import './view-controls.ts';
+import './controls/view-controls.ts';
 import { english } from '../words/english.ts';
-import { firstView, sameView, settingsFor, type ViewSettings, type WantedView } from './view-settings.ts';
-import { asAttribute, methodAttributes, methodFrom, propertyOf, viewAttributes } from './viewer-attributes.ts';
-import { ViewerEvents } from './viewer-events.ts';
-import { ViewerProperties } from './viewer-properties.ts';
-import { firstState, type StateAttribute, stateAttributes, type ViewerState } from './viewer-state.ts';
+import { firstView, sameView, settingsFor, type ViewSettings, type WantedView } from './attributes/view-settings.ts';
+import {
+  asAttribute,
+  methodAttributes,
+  methodFrom,
+  propertyOf,
+  viewAttributes,
+} from './attributes/viewer-attributes.ts';
+import { ViewerEvents } from './attributes/viewer-events.ts';
+import { ViewerProperties } from './attributes/viewer-properties.ts';
+import { firstState, type StateAttribute, stateAttributes, type ViewerState } from './attributes/viewer-state.ts';
 import { viewerStyle } from './viewer-style.ts';
 
 /**
@@ -379,7 +385,7 @@ export class MeshboundViewer extends ViewerProperties {
     if (!reduced) return;
     try {
       // Loaded when it is first needed, as the formats' writers are.
-      const { download, savedFile } = await import('./download.ts');
+      const { download, savedFile } = await import('./saving/download.ts');
       const { name, content, losses } = await savedFile(surface, reduced, this.levels.state.nested, kind, reduce);
       download(name, content);
       this.#tellSaved(name, reduced, losses);

@@ -1,4 +1,4 @@
-import { rangeDigits, removedPercent, roundedDown, roundedUp } from '../session/rounding.ts';
+import { rangeDigits, removedPercent, roundedDown, roundedUp } from '../session/bounds/rounding.ts';
 
 /** Groups digits as the field does: 99 980, with a space that does not break. */
 const groupSpace = '\u202f';

@@ -1,6 +1,6 @@
 import './app.ts';
 import type { App } from './app.ts';
-import { fetchSamples } from './samples.ts';
+import { fetchSamples } from './toolbar/samples.ts';
 
 const app = document.createElement('meshbound-app') as App;
 document.body.prepend(app);

@@ -3,7 +3,7 @@ import { Correspondence } from '../probe/correspondence.ts';
 import type { Place } from '../probe/place.ts';
 import { type Probe, type Probed, probeAt, probePair, type Side } from '../probe/probe.ts';
 import { isMapped, worstOnReduced, worstPlace } from '../probe/worst-place.ts';
-import { Latest, superseded } from './latest.ts';
+import { Latest, superseded } from './reducing/latest.ts';
 
 /** A point of one of the surfaces; with its image where that is known beforehand. */
 interface Point {

@@ -1,6 +1,6 @@
 import type { Checkpoint, Inspection, Mesh, ReduceOptions, Reduction, ResumeOptions } from '../../wasm/index.ts';
 import type { NamedFile } from '../formats/read-together.ts';
-import type { OpenedFile } from './read.ts';
+import type { OpenedFile } from './reading/read.ts';
 import type { Watchers } from './watchers.ts';
 
 /** What a session needs of the world around it; tests give it other ones. */

@@ -1,8 +1,8 @@
 import type { Multiplied } from '../probe/multiplied.ts';
-import type { BoundSettings } from './bound-setting.ts';
-import { type Keeping, nothingKept, sameKeeping } from './keeping.ts';
-import { firstMethod, type Method, sameMethod } from './method.ts';
-import type { OpenSurface } from './open-surface.ts';
+import type { BoundSettings } from './bounds/bound-setting.ts';
+import { type Keeping, nothingKept, sameKeeping } from './constraints/keeping.ts';
+import { firstMethod, type Method, sameMethod } from './constraints/method.ts';
+import type { OpenSurface } from './reading/open-surface.ts';
 
 /** A file that is being opened. */
 export interface Opening {
