@@ -1,4 +1,4 @@
-import type { Levels, Mesh, Variable, VariableReport } from '../../wasm/types.ts';
+import type { Mesh, Reduction, Variable, VariableReport } from '../../wasm/types.ts';
 import { gzip } from './bytes/gzip.ts';
 import { withinMemory } from './bytes/within-memory.ts';
 import { gather } from './cracks/weld.ts';
@@ -103,8 +103,11 @@ export async function writeSurface(format: Format, mesh: Mesh, options?: WriteOp
   return options?.gzip ? gzip(file) : file;
 }
 
+/** A level of detail as it goes into a file. */
+type LevelOfFile = Pick<Reduction, 'mesh' | 'report'>;
+
 /** Writes nested levels of detail as one GLB file (see writeGlbLevels), of which the same holds. */
-export async function writeLevels({ levels }: Pick<Levels, 'levels'>, options?: WriteOptions): Promise<Uint8Array> {
+export async function writeLevels(levels: LevelOfFile[], options?: WriteOptions): Promise<Uint8Array> {
   const writer = await writers.glb();
   for (const { mesh } of levels) requirePlace('glb', mesh, writer, options ?? {});
   const { writeGlbLevels } = await import('./gltf/write-glb-levels.ts');
@@ -115,6 +118,11 @@ export async function writeLevels({ levels }: Pick<Levels, 'levels'>, options?: 
 /** The geometric error as a fraction of the extent: known whether or not it was bounded. */
 function relativeError({ error, extent }: VariableReport): number | undefined {
   return extent > 0 ? error / extent : undefined;
+}
+
+/** Throws a FormatError where no file of this format can hold the mesh, nor what a reduction leaves of it: before that is made. */
+export async function requireHeld(format: Format, mesh: Mesh, labels: LabelNames): Promise<void> {
+  requirePlace(format, mesh, await writers[format](), labels);
 }
 
 function requirePlace(format: Format, mesh: Mesh, { lost, single, nameless }: Writer, labels: LabelNames): void {
