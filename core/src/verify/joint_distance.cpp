@@ -1,11 +1,11 @@
-#include "judge/joint_distance.hpp"
+#include "verify/joint_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
-namespace judge {
+namespace meshbound::verification {
 namespace {
 
 /// How far each step of the interior-point method aims towards the optimum: the gap left, as a fraction.
@@ -320,4 +320,4 @@ Nearest JointDistance::to_triangle(const double* q, const double* a, const doubl
     return nearest;
 }
 
-} // namespace judge
+} // namespace meshbound::verification

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace judge {
+namespace meshbound::verification {
 
 /// The nearest point of a triangle a, b, c: a + u (b - a) + v (c - a).
 struct Nearest {
@@ -93,4 +93,4 @@ private:
     mutable std::vector<double> weights_, weight_steps_, slacks_, slack_steps_, point_;
 };
 
-} // namespace judge
+} // namespace meshbound::verification

@@ -1,4 +1,4 @@
-#include "judge/joint_surface.hpp"
+#include "verify/joint_surface.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace judge {
+namespace meshbound::verification {
 namespace {
 
 bool has_vertex_twice(const glm::uvec3& t) { return t.x == t.y || t.y == t.z || t.z == t.x; }
@@ -19,15 +19,15 @@ std::array<std::uint32_t, 3> sorted_corners(const glm::uvec3& t) {
     return corners;
 }
 
-std::vector<double> joint_rows(const meshbound::Mesh& mesh, const JointSpace& space) {
-    const std::size_t vertices = meshbound::vertex_count(mesh);
+std::vector<double> joint_rows(const Mesh& mesh, const JointSpace& space) {
+    const std::size_t vertices = vertex_count(mesh);
     const std::size_t dimensions = space.origin.size();
     if (!space.variables.empty() && mesh.variables.size() < space.variables.back())
         throw std::invalid_argument("one of the two surfaces lacks a variable");
     std::vector<double> rows(vertices * dimensions);
     std::size_t column = 0;
     for (std::size_t i = 0; i < space.variables.size(); ++i) {
-        const meshbound::VariableView variable = variable_of(mesh, space.variables[i]);
+        const VariableView variable = variable_of(mesh, space.variables[i]);
         if (variable.components != space.components[i] || value_count(variable) != vertices * variable.components)
             throw std::invalid_argument("the two surfaces do not carry the same variables: " +
                                         std::string(variable.name));
@@ -40,7 +40,7 @@ std::vector<double> joint_rows(const meshbound::Mesh& mesh, const JointSpace& sp
 
 } // namespace
 
-JointSpace joint_space(const meshbound::Mesh& mesh, const std::vector<double>& bounds) {
+JointSpace joint_space(const Mesh& mesh, const std::vector<double>& bounds) {
     if (bounds.size() != mesh.variables.size() + 1)
         throw std::invalid_argument("one bound for position, one a variable");
     // A vertex of the surface: any other may hold no numbers.
@@ -50,7 +50,7 @@ JointSpace joint_space(const meshbound::Mesh& mesh, const std::vector<double>& b
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         if (!(bounds[i] > 0)) throw std::invalid_argument("a bound must be positive");
         if (std::isinf(bounds[i])) continue;
-        const meshbound::VariableView variable = variable_of(mesh, i);
+        const VariableView variable = variable_of(mesh, i);
         space.variables.push_back(i);
         space.components.push_back(variable.components);
         space.bounds.push_back(bounds[i]);
@@ -60,14 +60,14 @@ JointSpace joint_space(const meshbound::Mesh& mesh, const std::vector<double>& b
     return space;
 }
 
-JointSurface joint_surface(const meshbound::Mesh& mesh, const JointSpace& space) {
+JointSurface joint_surface(const Mesh& mesh, const JointSpace& space) {
     JointSurface surface{space.dimensions(), joint_rows(mesh, space), {}};
     for (const glm::uvec3& t : mesh.triangles)
         if (!has_vertex_twice(t)) surface.triangles.push_back({t.x, t.y, t.z});
     return surface;
 }
 
-JointSurface joint_boundary(const meshbound::Mesh& mesh, const JointSpace& space) {
+JointSurface joint_boundary(const Mesh& mesh, const JointSpace& space) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
     std::set<std::array<std::uint32_t, 3>> met;
     for (const glm::uvec3& t : mesh.triangles) {
@@ -80,4 +80,4 @@ JointSurface joint_boundary(const meshbound::Mesh& mesh, const JointSpace& space
     return curve;
 }
 
-} // namespace judge
+} // namespace meshbound::verification

@@ -1,11 +1,11 @@
-#include "judge/joint_tree.hpp"
+#include "verify/joint_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
-namespace judge {
+namespace meshbound::verification {
 
 namespace {
 constexpr std::uint32_t leaf_size = 4;
@@ -153,4 +153,4 @@ Foot JointTree::nearest(const double* q, double enough, std::uint32_t guess) con
     return foot;
 }
 
-} // namespace judge
+} // namespace meshbound::verification

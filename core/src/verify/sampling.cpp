@@ -1,11 +1,11 @@
-#include "judge/sampling.hpp"
+#include "verify/sampling.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-namespace judge {
+namespace meshbound::verification {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -122,4 +122,4 @@ void sample_surface(const JointSurface& surface, std::size_t budget, const std::
     }
 }
 
-} // namespace judge
+} // namespace meshbound::verification

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "judge/joint_surface.hpp"
+#include "verify/joint_surface.hpp"
 
-namespace judge {
+namespace meshbound::verification {
 
 /// A point of a surface by its barycentric coordinates in a triangle.
 struct Sample {
@@ -20,4 +20,4 @@ struct Sample {
 /// that no part of a large triangle is far from a sample.
 void sample_surface(const JointSurface& surface, std::size_t budget, const std::function<void(const Sample&)>& visit);
 
-} // namespace judge
+} // namespace meshbound::verification

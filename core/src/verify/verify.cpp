@@ -1,15 +1,15 @@
-#include "judge/judge.hpp"
+#include "verify/judge.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
-#include "judge/joint_surface.hpp"
-#include "judge/joint_tree.hpp"
-#include "judge/sampling.hpp"
+#include "verify/joint_surface.hpp"
+#include "verify/joint_tree.hpp"
+#include "verify/sampling.hpp"
 
-namespace judge {
+namespace meshbound::verification {
 namespace {
 
 /// A ratio below this is no deviation; so surfaces that coincide are not searched for the rounding between them.
@@ -71,7 +71,7 @@ private:
     std::uint32_t last_ = 0; ///< neighbouring samples mostly end on the same triangle
 };
 
-Deviation farthest(const meshbound::Mesh& mesh, const JointSurface& from, const JointSurface& to,
+Deviation farthest(const Mesh& mesh, const JointSurface& from, const JointSurface& to,
                    const JointSpace& space, std::size_t samples) {
     if (space.dimensions() == 0) return {}; // everything is free
     Deviation deviation = Search(from, to, space).farthest(samples);
@@ -82,7 +82,7 @@ Deviation farthest(const meshbound::Mesh& mesh, const JointSurface& from, const 
     return deviation;
 }
 
-const std::vector<double>& checked(const std::vector<double>& multipliers, const meshbound::Mesh& original) {
+const std::vector<double>& checked(const std::vector<double>& multipliers, const Mesh& original) {
     if (!multipliers.empty() && multipliers.size() != vertex_count(original))
         throw std::invalid_argument("one multiplier a vertex of the original");
     for (const double multiplier : multipliers)
@@ -106,7 +106,7 @@ std::ostream& operator<<(std::ostream& out, const Judgement& judgement) {
     return out;
 }
 
-Judgement judge(const meshbound::Mesh& original, const meshbound::Mesh& reduced, const std::vector<double>& bounds,
+Judgement judge(const Mesh& original, const Mesh& reduced, const std::vector<double>& bounds,
                 std::size_t samples, const std::vector<double>& multipliers) {
     const JointSpace space = joint_space(original, bounds);
     JointSurface one = joint_surface(original, space);
@@ -115,7 +115,7 @@ Judgement judge(const meshbound::Mesh& original, const meshbound::Mesh& reduced,
     return {farthest(original, one, other, space, samples), farthest(reduced, other, one, space, samples)};
 }
 
-Judgement judge_boundary(const meshbound::Mesh& original, const meshbound::Mesh& reduced,
+Judgement judge_boundary(const Mesh& original, const Mesh& reduced,
                          const std::vector<double>& bounds, std::size_t samples,
                          const std::vector<double>& multipliers) {
     const JointSpace space = joint_space(original, bounds);
@@ -131,4 +131,4 @@ Judgement judge_boundary(const meshbound::Mesh& original, const meshbound::Mesh&
     return {farthest(original, one, other, space, samples), farthest(reduced, other, one, space, samples)};
 }
 
-} // namespace judge
+} // namespace meshbound::verification
