@@ -1,17 +1,11 @@
-#include "meshbound/validate.hpp"
+#include "mesh/check_arrays.hpp"
 
-#include <algorithm>
 #include <limits>
+#include <string>
 #include <unordered_set>
 
-#include <glm/geometric.hpp>
-
 #include "mesh/non_finite.hpp"
-#include "mesh/orientation.hpp"
-#include "mesh/repeats_vertex.hpp"
 #include "mesh/used_vertices.hpp"
-#include "reduction/removal.hpp"
-#include "surface/one_sided.hpp"
 
 namespace meshbound {
 namespace {
@@ -22,9 +16,6 @@ constexpr int most_components = 64;
 /// Vertices and half-edges are named by 32-bit indices, the largest of which means "none".
 constexpr std::size_t most_triangles = std::numeric_limits<std::uint32_t>::max() / 3 - 1;
 constexpr std::size_t most_vertices = std::numeric_limits<std::uint32_t>::max() - 1;
-
-/// RemovalOutcome holds the number of a variable; 0 is position.
-constexpr std::size_t most_variables = std::numeric_limits<decltype(RemovalOutcome::variable)>::max();
 
 std::string quoted(const std::string& name) { return "“" + name + "”"; }
 
@@ -107,40 +98,16 @@ Status check_names(const Mesh& mesh) {
     return {};
 }
 
-bool has_zero_area(const Mesh& mesh, const glm::uvec3& triangle) {
-    glm::dvec3 p[3];
-    for (int corner = 0; corner < 3; ++corner)
-        for (int axis = 0; axis < 3; ++axis) p[corner][axis] = value_at(mesh.position, triangle[corner], axis);
-    return glm::cross(p[1] - p[0], p[2] - p[0]) == glm::dvec3(0);
-}
-
-MeshDefects find_oddities(const Mesh& mesh, const std::vector<char>& used) {
-    MeshDefects odd;
-    for (const glm::uvec3& triangle : mesh.triangles)
-        if (repeats_vertex(triangle)) ++odd.repeated_vertex_triangles;
-        else if (has_zero_area(mesh, triangle)) ++odd.zero_area_triangles;
-    odd.unused_vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
-    return odd;
-}
-
 } // namespace
 
-Status validate(const Mesh& mesh, MeshDefects* defects) {
+Status check_arrays(const Mesh& mesh, std::vector<char>& used) {
     if (Status status = check_sizes(mesh); !status.ok()) return status;
     if (Status status = check_triangles(mesh); !status.ok()) return status;
-    const std::vector<char> used = find_used_vertices(mesh);
+    used = find_used_vertices(mesh);
     if (Status status = check_positions(mesh, used); !status.ok()) return status;
     for (std::size_t i = 0; i < mesh.variables.size(); ++i)
         if (Status status = check_variable(mesh.variables[i], i, vertex_count(mesh)); !status.ok()) return status;
-    if (Status status = check_names(mesh); !status.ok()) return status;
-    if (defects) *defects = find_oddities(mesh, used);
-    return {};
-}
-
-void find_flipped_triangles(const Mesh& mesh, MeshDefects& defects) {
-    if (!has_coincident_triangles(mesh)) return note_orientation(orient(mesh.triangles, vertex_count(mesh)), defects);
-    SideLabels labels;
-    OneSided(mesh, OneSided::Orienting::as_reduced, labels).note(defects);
+    return check_names(mesh);
 }
 
 } // namespace meshbound

@@ -27,6 +27,12 @@ constexpr int most_halvings = 60;
 /// A few units in the last place of a double: the relative error of a sum of some ten products.
 constexpr double rounding_unit = 2e-15;
 
+double squared_length(const double* p, const double* q, int components) {
+    double sum = 0;
+    for (int i = 0; i < components; ++i) sum += (p[i] - q[i]) * (p[i] - q[i]);
+    return sum;
+}
+
 } // namespace
 
 JointDistance::JointDistance(std::vector<int> components)
@@ -36,17 +42,22 @@ JointDistance::JointDistance(std::vector<int> components)
     point_.resize(static_cast<std::size_t>(dimensions_));
 }
 
-double JointDistance::between(const double* p, const double* q, std::size_t* dominant) const {
+double JointDistance::between(const double* p, const double* q) const {
     double worst = 0;
-    if (dominant) *dominant = 0;
-    for (std::size_t g = 0; g < components_.size(); ++g) {
-        double sum = 0;
-        for (int i = 0; i < components_[g]; ++i, ++p, ++q) sum += (*p - *q) * (*p - *q);
-        if (sum <= worst) continue;
-        worst = sum;
-        if (dominant) *dominant = g;
+    for (const int n : components_) {
+        worst = std::max(worst, squared_length(p, q, n));
+        p += n;
+        q += n;
     }
     return std::sqrt(worst);
+}
+
+void JointDistance::between_each(const double* p, const double* q, std::vector<double>& distances) const {
+    for (std::size_t g = 0; g < components_.size(); ++g) {
+        distances[g] = std::sqrt(squared_length(p, q, components_[g]));
+        p += components_[g];
+        q += components_[g];
+    }
 }
 
 double JointDistance::Quadratic::rounding(Offset p) const {

@@ -25,8 +25,11 @@ public:
     /// `components`: how many numbers of a row belong to each variable.
     explicit JointDistance(std::vector<int> components);
 
-    /// The distance of two points. `dominant`, where given, is the variable (its place in `components`) that attains it.
-    double between(const double* p, const double* q, std::size_t* dominant = nullptr) const;
+    /// The distance of two points.
+    double between(const double* p, const double* q) const;
+
+    /// Their distances in each variable, in the order of `components`.
+    void between_each(const double* p, const double* q, std::vector<double>& distances) const;
 
     /// The point of the triangle nearest to `q`, within `accuracy`. Any point no farther than `enough` ends the search.
     /// A triangle that is certainly farther than `cutoff` gives an infinite distance. Where b and c are one row the triangle is

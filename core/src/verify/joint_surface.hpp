@@ -31,11 +31,11 @@ struct JointSurface {
 };
 
 /// The joint space of a mesh. `bounds` holds the bound of position, then one a variable, absolute and positive;
-/// infinity is free. Throws std::invalid_argument where a bound is missing or not positive.
+/// infinity is free.
 JointSpace joint_space(const Mesh& mesh, const std::vector<double>& bounds);
 
-/// A mesh as a surface in that space; triangles with a vertex twice are no surface and left out. Throws
-/// std::invalid_argument where the mesh has not the variables of the space.
+/// A mesh as a surface in that space; triangles with a vertex twice are no surface and left out. It
+/// has the variables of the space, by the same numbers.
 JointSurface joint_surface(const Mesh& mesh, const JointSpace& space);
 
 /// The boundary of a mesh, the edges of exactly one triangle, as a curve in that space. Triangles on the same three vertices

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace meshbound::verification {
 
@@ -16,7 +15,6 @@ JointTree::JointTree(const JointSurface& surface, const JointSpace& space)
       fragments_(cut_into_fragments(surface)),
       origin_(static_cast<std::size_t>(surface.dimensions), 0.0), scaled_{origin_, origin_, origin_},
       looked_at_(surface.triangles.size(), 0) {
-    if (fragments_.empty()) throw std::invalid_argument("a surface without triangles");
     nodes_.reserve(fragments_.size());
     nodes_.push_back({});
     split(0, 0, static_cast<std::uint32_t>(fragments_.size()));

@@ -18,7 +18,7 @@ struct Foot {
 };
 
 /// A tree of boxes in the joint space over the triangles of a surface, long thin ones in fragments: boxes are around these,
-/// distances are to the whole triangle. The surface must outlive it.
+/// distances are to the whole triangle. The surface has a triangle, and must outlive it.
 class JointTree {
 public:
     JointTree(const JointSurface& surface, const JointSpace& space);

@@ -1,134 +1,108 @@
-#include "verify/judge.hpp"
+#include "meshbound/verify.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <stdexcept>
+#include <new>
+#include <utility>
 
+#include "util/out_of_memory.hpp"
+#include "util/progress_reporter.hpp"
+#include "verify/check_comparable.hpp"
+#include "verify/farthest_sample.hpp"
 #include "verify/joint_surface.hpp"
-#include "verify/joint_tree.hpp"
-#include "verify/sampling.hpp"
 
-namespace meshbound::verification {
+namespace meshbound {
 namespace {
 
-/// A ratio below this is no deviation; so surfaces that coincide are not searched for the rounding between them.
-constexpr double negligible = 1e-6;
+using namespace verification;
 
-class Search {
+class Comparison {
 public:
-    Search(const JointSurface& from, const JointSurface& to, const JointSpace& space)
-        : from_(from), to_(to), space_(space), tree_(to, space), metric_(space.components),
-          point_(static_cast<std::size_t>(space.dimensions())), foot_point_(point_.size()) {}
+    Comparison(const Mesh& original, const Mesh& reduced, const std::vector<double>& bounds,
+               const VerifyOptions& options, const Progress& progress)
+        : original_(original), reduced_(reduced), options_(options), space_(joint_space(original, bounds)),
+          reporter_(progress) {
+        verdict_.variable_ratios.resize(bounds.size());
+    }
 
-    Deviation farthest(std::size_t samples) {
-        sample_surface(from_, samples, [this](const Sample& sample) { look_at(sample); });
-        return worst_;
+    Verdict run() {
+        compare_surfaces();
+        if (reporter_.poll()) compare_boundaries();
+        verdict_.cancelled = reporter_.cancelled();
+        reporter_.finish();
+        return std::move(verdict_);
     }
 
 private:
-    /// A sample matters only if it is farther than the worst so far: the search ends with the first point within that.
-    void look_at(const Sample& sample) {
-        ++worst_.samples;
-        place(from_, sample.triangle, sample.barycentric, point_);
-        const double limit = multiplier_at(sample);
-        const double enough = limit * std::max(worst_.ratio, negligible);
-        const Foot foot = tree_.nearest(point_.data(), enough, last_);
-        last_ = foot.triangle;
-        if (foot.nearest.distance <= enough) return;
-        worst_.ratio = foot.nearest.distance / limit;
-        worst_.triangle = sample.triangle;
-        worst_.barycentric = sample.barycentric;
-        const auto [distance, u, v] = foot.nearest;
-        place(to_, foot.triangle, {1 - u - v, u, v}, foot_point_);
-        std::size_t dominant = 0;
-        metric_.between(point_.data(), foot_point_.data(), &dominant);
-        worst_.variable = space_.variables[dominant];
+    void compare_surfaces() {
+        JointSurface one = joint_surface(original_, space_);
+        const JointSurface other = joint_surface(reduced_, space_);
+        one.multipliers = options_.multipliers;
+        verdict_.surface = judge(one, other, options_.samples, {0, share_of_surfaces});
     }
 
-    double multiplier_at(const Sample& sample) const {
-        if (from_.multipliers.empty()) return 1;
-        double sum = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            sum += sample.barycentric[i] * from_.multipliers[from_.triangles[sample.triangle][i]];
-        return sum;
+    void compare_boundaries() {
+        JointSurface one = joint_boundary(original_, space_);
+        const JointSurface other = joint_boundary(reduced_, space_);
+        one.multipliers = options_.multipliers;
+        if (one.triangles.empty() && other.triangles.empty()) return;
+        if (one.triangles.empty() || other.triangles.empty())
+            verdict_.boundary.from_original.ratio = std::numeric_limits<double>::infinity();
+        else verdict_.boundary = judge(one, other, options_.boundary_samples, {share_of_surfaces, 1});
     }
 
-    static void place(const JointSurface& surface, std::uint32_t triangle, const std::array<double, 3>& barycentric,
-                      std::vector<double>& point) {
-        const auto& [a, b, c] = surface.triangles[triangle];
-        for (std::size_t k = 0; k < point.size(); ++k)
-            point[k] = barycentric[0] * surface.row(a)[k] + barycentric[1] * surface.row(b)[k] +
-                       barycentric[2] * surface.row(c)[k];
+    Judgement judge(const JointSurface& one, const JointSurface& other, std::size_t samples, ShareOfWork share) {
+        const double middle = (share.from + share.to) / 2;
+        Judgement judgement;
+        judgement.from_original = farthest(original_, one, other, samples, {share.from, middle});
+        if (reporter_.poll()) judgement.from_reduced = farthest(reduced_, other, one, samples, {middle, share.to});
+        return judgement;
     }
 
-    const JointSurface &from_, &to_;
-    const JointSpace& space_;
-    JointTree tree_;
-    JointDistance metric_;
-    std::vector<double> point_, foot_point_;
-    Deviation worst_;
-    std::uint32_t last_ = 0; ///< neighbouring samples mostly end on the same triangle
+    Deviation farthest(const Mesh& mesh, const JointSurface& from, const JointSurface& to, std::size_t samples,
+                       ShareOfWork share) {
+        FarthestSample search(from, to, space_);
+        Deviation deviation = search.find(samples, share, reporter_);
+        const auto& triangle = from.triangles[deviation.triangle];
+        for (int c = 0; c < 3; ++c)
+            for (std::size_t i = 0; i < 3; ++i)
+                deviation.position[static_cast<std::size_t>(c)] +=
+                    deviation.barycentric[i] * value_at(mesh.position, triangle[i], c);
+        for (std::size_t i = 0; i < space_.variables.size(); ++i) {
+            double& ratio = verdict_.variable_ratios[space_.variables[i]];
+            ratio = std::max(ratio, search.largest_ratios()[i]);
+        }
+        return deviation;
+    }
+
+    /// Of the work; boundaries mostly are short.
+    static constexpr double share_of_surfaces = 0.9;
+
+    const Mesh &original_, &reduced_;
+    const VerifyOptions& options_;
+    JointSpace space_;
+    ProgressReporter reporter_;
+    Verdict verdict_;
 };
 
-Deviation farthest(const Mesh& mesh, const JointSurface& from, const JointSurface& to,
-                   const JointSpace& space, std::size_t samples) {
-    if (space.dimensions() == 0) return {}; // everything is free
-    Deviation deviation = Search(from, to, space).farthest(samples);
-    const auto& triangle = from.triangles[deviation.triangle];
-    for (int c = 0; c < 3; ++c)
-        for (int i = 0; i < 3; ++i)
-            deviation.position[c] += deviation.barycentric[i] * value_at(mesh.position, triangle[i], c);
-    return deviation;
-}
-
-const std::vector<double>& checked(const std::vector<double>& multipliers, const Mesh& original) {
-    if (!multipliers.empty() && multipliers.size() != vertex_count(original))
-        throw std::invalid_argument("one multiplier a vertex of the original");
-    for (const double multiplier : multipliers)
-        if (!(multiplier > 0 && std::isfinite(multiplier)))
-            throw std::invalid_argument("a multiplier must be positive");
-    return multipliers;
+bool all_free(const std::vector<double>& bounds) {
+    return std::all_of(bounds.begin(), bounds.end(),
+                       [](double bound) { return bound > std::numeric_limits<double>::max(); });
 }
 
 } // namespace
 
-double Judgement::ratio() const { return std::max(from_original.ratio, from_reduced.ratio); }
-
-std::ostream& operator<<(std::ostream& out, const Judgement& judgement) {
-    const auto print = [&out](const char* name, const Deviation& d) {
-        out << name << ": " << d.ratio << " of the bound of variable " << d.variable << " (0 is position) in triangle "
-            << d.triangle << " at (" << d.position[0] << ", " << d.position[1] << ", " << d.position[2] << "), "
-            << d.samples << " samples";
-    };
-    print("from the original", judgement.from_original);
-    print("; from the reduced", judgement.from_reduced);
-    return out;
-}
-
-Judgement judge(const Mesh& original, const Mesh& reduced, const std::vector<double>& bounds,
-                std::size_t samples, const std::vector<double>& multipliers) {
-    const JointSpace space = joint_space(original, bounds);
-    JointSurface one = joint_surface(original, space);
-    const JointSurface other = joint_surface(reduced, space);
-    one.multipliers = checked(multipliers, original);
-    return {farthest(original, one, other, space, samples), farthest(reduced, other, one, space, samples)};
-}
-
-Judgement judge_boundary(const Mesh& original, const Mesh& reduced,
-                         const std::vector<double>& bounds, std::size_t samples,
-                         const std::vector<double>& multipliers) {
-    const JointSpace space = joint_space(original, bounds);
-    JointSurface one = joint_boundary(original, space);
-    const JointSurface other = joint_boundary(reduced, space);
-    one.multipliers = checked(multipliers, original);
-    Judgement judgement;
-    if (one.triangles.empty() && other.triangles.empty()) return judgement;
-    if (one.triangles.empty() || other.triangles.empty()) {
-        judgement.from_original.ratio = std::numeric_limits<double>::infinity();
-        return judgement;
+Status verify(const Mesh& original, const Mesh& reduced, const std::vector<double>& bounds,
+              const VerifyOptions& options, Verdict& verdict, const Progress& progress) {
+    try {
+        if (Status status = check_comparable(original, reduced, bounds, options); !status.ok()) return status;
+        if (all_free(bounds)) {
+            verdict = {};
+            verdict.variable_ratios.resize(bounds.size());
+        } else verdict = Comparison(original, reduced, bounds, options, progress).run();
+        return {};
+    } catch (const std::bad_alloc&) {
+        return out_of_memory("verifying", original.triangles.size());
     }
-    return {farthest(original, one, other, space, samples), farthest(reduced, other, one, space, samples)};
 }
 
-} // namespace meshbound::verification
+} // namespace meshbound
