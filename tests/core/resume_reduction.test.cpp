@@ -205,7 +205,7 @@ TEST_P(Onward, KeepsItsPromiseOverOddSurfaces) {
         const Checkpoint checkpoint = passed(odd[i], promise::percent(2, 6));
         const Reduction reduction = onward(checkpoint, promise::percent(4, 12));
         promise::expect_vertex_subset(odd[i], reduction);
-        const judge::Judgement judgement =
+        const meshbound::Judgement judgement =
             judge::judge(odd[i], reduction.mesh, promise::absolute_bounds(reduction), 10'000);
         EXPECT_LE(judgement.ratio(), 1 + promise::hair) << judgement;
         EXPECT_EQ(reduction.report.defects.unused_vertices, checkpoint.report.defects.unused_vertices);
