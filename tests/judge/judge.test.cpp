@@ -227,7 +227,10 @@ std::vector<Refused> refused() {
     const Mesh infinite = changed([](Mesh& m) { value(m.position, 4) = infinity; });
     const Mesh renamed = changed([](Mesh& m) { m.variables[0].name = "g"; });
     const Mesh without = changed([](Mesh& m) { m.variables.clear(); });
-    const Mesh of_three = changed([](Mesh& m) { m.variables.clear(), meshes::add_vector(m, "f", meshes::identity); });
+    const Mesh of_three = changed([](Mesh& m) {
+        m.variables.clear();
+        meshes::add_vector(m, "f", [](glm::dvec3 p) { return p; });
+    });
     return {
         {"index of the original", bad_index, good, {1, 1}, Fault::bad_index, ""},
         {"index of the reduced", good, bad_index, {1, 1}, Fault::bad_index, ""},
