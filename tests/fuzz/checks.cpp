@@ -77,7 +77,7 @@ void check_map(const Mesh& mesh, const Options& options, const Reduction& reduct
 /// Where there is no map the judge looks, if bounds are coarse enough beside the values for its accuracy.
 void check_judgement(const Mesh& mesh, const Options& options, const Reduction& reduction) {
     constexpr std::size_t fewest_samples = 1;
-    constexpr double accurate = 5e5; // twice that is as wide as verify takes a surface
+    constexpr double accurate = 1e6;
     std::vector<double> bounds, multipliers;
     for (const VariableReport& variable : reduction.report.variables) {
         const ResolvedBound& bound = variable.bound;

@@ -249,7 +249,7 @@ std::vector<Refused> refused() {
         {"bound of zero", good, good, {1, 0}, Fault::bad_bound, "f"},
         {"bound below zero", good, good, {-1, 1}, Fault::bad_bound, "position"},
         {"bound that is no number", good, good, {1, std::nan("")}, Fault::bad_bound, "f"},
-        {"bound too fine", good, good, {1e-7, 1}, Fault::bound_too_fine, "position"},
+        {"bound too fine", good, good, {1e-10, 1}, Fault::bound_too_fine, "position"},
         {"bound next to nothing", good, good, {1, 5e-324}, Fault::bound_too_fine, "f"},
         {"too few multipliers", good, good, {1, 1}, Fault::bad_option, "", {1, 1}},
         {"multiplier of zero", good, good, {1, 1}, Fault::bad_option, "", {1, 1, 1, 1, 0, 1, 1, 1, 1}},
@@ -280,6 +280,23 @@ TEST(Verify, SaysWhichOfTheTwoSurfacesIsAtFault) {
     EXPECT_EQ(status.message,
               "In the reduced surface: Triangle 3 names vertex 12, but the mesh has 9 vertices (counted from 0).");
     EXPECT_EQ(status.index, 3U);
+}
+
+/// Askew, so that rounding has its way.
+glm::dvec3 turned(glm::dvec3 p) {
+    return {0.36 * p.x + 0.48 * p.y - 0.8 * p.z + 0.1, -0.8 * p.x + 0.6 * p.y + 0.7,
+            0.48 * p.x + 0.64 * p.y + 0.6 * p.z + 0.3};
+}
+
+TEST(Verify, IsAccurateWhereTheSurfaceIsVeryWideInBounds) {
+    for (const double bound : {1e-3, 1e-6, 1e-9}) {
+        const auto lifted = [bound](glm::dvec3 p) { return turned(p + glm::dvec3(0, 0, 2 * bound)); };
+        const Mesh fine = meshes::mapped(meshes::plane(9, 7), turned),
+                   coarse = meshes::mapped(meshes::plane(2, 3), turned);
+        const Mesh higher = meshes::mapped(meshes::plane(2, 3), lifted);
+        EXPECT_LT(judge::judge(fine, coarse, {bound}, 5'000).ratio(), 1e-6) << bound;
+        EXPECT_NEAR(judge::judge(fine, higher, {bound}, 5'000).ratio(), 2, 1e-6) << bound;
+    }
 }
 
 TEST(Verify, TakesWhatIsFreeAsItComes) {

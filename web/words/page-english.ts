@@ -124,6 +124,20 @@ export const pageEnglish = {
       asked ? `${parts} dropped (${triangles} triangles)` : 'not dropped',
   },
 
+  verification: {
+    title: 'Verification',
+    now: { notYet: 'not asked for', holds: 'bounds hold', broken: 'a bound is broken', fault: 'failed' },
+    progress: (percent: number) => `${percent}${space}%`,
+    what: 'A judge who knows nothing of the reduction compares the two surfaces as they are: from many points of each, how far is the other?',
+    dropped: 'Small parts were dropped, which a judge would miss: the whole surface cannot be verified.',
+    verify: 'Verify',
+    cancel: 'Cancel',
+    holds: (samples: string) => `Every bound holds at each of ${samples} points. Largest error found:`,
+    broken: 'A bound is broken. Largest error found:',
+    largest: (share: string) => `${share} of its bound`,
+    free: 'no bound',
+  },
+
   pin: { hint: 'Pin a place on the original first: by a click, or Enter' },
 
   locks: {

@@ -78,7 +78,7 @@ struct Verdict {
 ///
 /// Faults: those of `validate` for either mesh, whose message says which; unknown_variable and bad_components where the
 /// reduced surface has not a bounded variable of the original; non_finite_value where one is NaN or infinite on the surface;
-/// bad_bound; bound_too_fine where a surface is wider than a million bounds of a variable, beside which the accuracy could not be
+/// bad_bound; bound_too_fine where a surface is wider than 2e9 bounds of a variable, beside which the accuracy could not be
 /// kept; bad_option for multipliers; out_of_memory. `verdict` is then untouched. A cancelled call returns an ok status and
 /// what was found so far, marked as cancelled.
 ///
