@@ -90,7 +90,7 @@ export class Verification extends LitElement {
       <dl class="small">${report.variables.map(
         ({ name, bound }, i) =>
           html`<dt class="soft">${name}</dt><dd>${
-            Number.isFinite(bound) ? words.largest(upperShareText(verdict.variableRatios[i])) : words.free
+            Number.isFinite(bound) ? words.largest(shareText(verdict, i)) : words.free
           }</dd>`,
       )}</dl>`;
   }
@@ -98,6 +98,12 @@ export class Verification extends LitElement {
   #fire(event: string): void {
     this.dispatchEvent(new CustomEvent(event, { bubbles: true, composed: true }));
   }
+}
+
+/** Ratios are too large by a rounding that the judge allows for: where he finds the bounds kept, none is shown as above 100 %. */
+function shareText({ variableRatios, withinBounds }: Verdict, variable: number): string {
+  const ratio = variableRatios[variable];
+  return upperShareText(withinBounds ? Math.min(1, ratio) : ratio);
 }
 
 function samplesOf({ surface, boundary }: Verdict): number {
