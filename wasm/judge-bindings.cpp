@@ -55,7 +55,6 @@ val verdict_to(const Verdict& verdict) {
     val result = val::object();
     result.set("surface", judgement_to(verdict.surface));
     result.set("boundary", judgement_to(verdict.boundary));
-    result.set("variableRatios", list_of(verdict.variable_ratios));
     result.set("ratio", verdict.ratio());
     result.set("withinBounds", verdict.within_bounds());
     return result;

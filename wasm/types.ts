@@ -371,11 +371,6 @@ export interface Verdict {
   surface: Judgement;
   /** Of the boundaries, as curves. */
   boundary: Judgement;
-  /**
-   * One ratio to its bound a variable, position first; 0 where it is free. For every sample a point was found on the other
-   * surface that differs from it by no more than this in any variable, all at once.
-   */
-  variableRatios: number[];
   /** The largest of surface and boundary; too large by at most 1e-6. */
   ratio: number;
   /** Whether no bound is broken at any sample. */

@@ -56,7 +56,7 @@ inline double largest_ratio(const Reduction& reduction) {
 /// claim less than the judge sees.
 inline void expect_judge_agrees(const Mesh& mesh, const Reduction& reduction, std::size_t samples = 20'000) {
     const std::vector<double> bounds = absolute_bounds(reduction);
-    const auto [surface, boundary, ratios, cancelled] =
+    const auto [surface, boundary, cancelled] =
         judge::verdict_of(mesh, reduction.mesh, bounds, {samples, samples / 10, {}});
     EXPECT_LE(surface.ratio(), 1 + hair) << surface;
     EXPECT_LE(surface.ratio(), largest_ratio(reduction) + hair) << "the report claims less; " << surface;

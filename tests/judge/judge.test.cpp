@@ -309,36 +309,6 @@ TEST(Verify, TakesWhatIsFreeAsItComes) {
     EXPECT_EQ(free.surface.from_original.samples, 0U) << "there is nothing to look for";
 }
 
-TEST(Verify, SaysOfEachVariableWhatNoSampleExceeds) {
-    Mesh flat = plane_with([](glm::dvec3) { return 7.0; });
-    meshes::add_scalar(flat, "g", [](glm::dvec3) { return 1.0; });
-    meshes::add_scalar(flat, "free", [](glm::dvec3) { return 1.0; });
-    Mesh peak = flat;
-    value(peak.variables[0], 40) = 7.05;
-    value(peak.variables[1], 40) = 1.02;
-    value(peak.variables[2], 40) = 9;
-    const meshbound::Verdict verdict = judge::verdict_of(peak, flat, {0.01, 0.1, 0.1, infinity});
-    ASSERT_EQ(verdict.variable_ratios.size(), 4U);
-    EXPECT_NEAR(verdict.variable_ratios[1], 0.5, 1e-6);
-    EXPECT_NEAR(verdict.variable_ratios[2], 0.2, 1e-6);
-    EXPECT_EQ(verdict.variable_ratios[3], 0);
-    EXPECT_LE(verdict.variable_ratios[0], 0.5);
-    EXPECT_NEAR(verdict.ratio(), 0.5, 1e-6);
-    EXPECT_TRUE(verdict.within_bounds());
-}
-
-TEST(Verify, HasABrokenBoundAmongItsVariables) {
-    const Mesh flat = plane_with([](glm::dvec3) { return 7.0; });
-    Mesh peak = flat;
-    value(peak.variables[0], 40) = 7.5;
-    for (const auto& [one, other] : {std::pair{peak, flat}, {flat, peak}}) {
-        const meshbound::Verdict verdict = judge::verdict_of(one, other, {0.01, 0.1});
-        EXPECT_FALSE(verdict.within_bounds());
-        EXPECT_NEAR(*std::max_element(verdict.variable_ratios.begin(), verdict.variable_ratios.end()), verdict.ratio(),
-                    1e-6);
-    }
-}
-
 TEST(Verify, ReportsProgressThatNeverFalls) {
     const Mesh mesh = plane_with(meshes::linear_field, 30, 30);
     std::vector<double> steps;

@@ -23,8 +23,6 @@ test('passes what reduce makes, within the errors of its report', async () => {
   expect(verdict.withinBounds).toBe(true);
   expect(verdict.ratio).toBeGreaterThan(0.5);
   expect(verdict.ratio).toBeLessThanOrEqual(1 + 1e-6);
-  expect(verdict.variableRatios).toHaveLength(report.variables.length);
-  expect(Math.max(...verdict.variableRatios)).toBeCloseTo(verdict.ratio, 5);
   expect(verdict.surface.fromOriginal.samples).toBeGreaterThan(10000);
 });
 
@@ -32,7 +30,6 @@ test('finds a bound broken, where and by which variable', async () => {
   const verdict = await verify(plate, withPeak(100), { bounds: [1e-3, 1, ...free] });
   expect(verdict.withinBounds).toBe(false);
   expect(verdict.surface.fromReduced.variable).toBe(1);
-  expect(verdict.variableRatios[1]).toBeGreaterThan(1);
   const vertex = Math.floor(plate.position.length / 6);
   const place = Array.from(plate.position.slice(3 * vertex, 3 * vertex + 3));
   for (const [axis, coordinate] of verdict.surface.fromReduced.position.entries())

@@ -31,7 +31,6 @@ test('asks the judge for the bounds of the report, and says what he found', asyn
   verifying.follow(mesh, result, false);
   await verifying.start();
   expect(verifying.state).toMatchObject({ progress: null, fault: null, verdict: { withinBounds: true } });
-  expect(verifying.state.verdict?.variableRatios).toHaveLength(3);
   expect(steps.length).toBeGreaterThan(3);
 });
 

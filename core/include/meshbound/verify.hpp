@@ -48,10 +48,6 @@ struct Judgement {
 struct Verdict {
     Judgement surface;
     Judgement boundary; ///< as curves: the boundary must map to the boundary. Infinite where only one surface has one
-    /// One ratio to its bound a variable, position first; 0 where it is free. For every sample a point was found on the other
-    /// surface (a sample of a boundary: on the other boundary) that differs from it by no more than this in any variable, all
-    /// at once. There may be points with less of one and more of another.
-    std::vector<double> variable_ratios;
     bool cancelled = false; ///< `progress` cancelled: not all was looked at
 
     double ratio() const { return std::max(surface.ratio(), boundary.ratio()); } ///< the worse of the two

@@ -32,8 +32,8 @@ double multiplier_at(const JointSurface& surface, std::uint32_t triangle, const 
 
 FarthestSample::FarthestSample(const JointSurface& from, const JointSurface& to, const JointSpace& space)
     : from_(from), to_(to), space_(space), tree_(to, space), metric_(space.components),
-      point_(static_cast<std::size_t>(space.dimensions())), foot_point_(point_.size()), ratios_(space.variables.size()),
-      largest_ratios_(space.variables.size()) {}
+      point_(static_cast<std::size_t>(space.dimensions())), foot_point_(point_.size()),
+      distances_(space.variables.size()) {}
 
 const Deviation& FarthestSample::find(std::size_t samples, ShareOfWork share, ProgressReporter& reporter) {
     const double whole = static_cast<double>(from_.triangles.size());
@@ -52,24 +52,20 @@ void FarthestSample::look_at(const Sample& sample) {
     const double enough = multiplier * std::max(worst_.ratio, negligible);
     const Foot foot = tree_.nearest(point_.data(), enough, last_);
     last_ = foot.triangle;
-    note_ratios(foot, multiplier);
     if (foot.nearest.distance <= enough) return;
     worst_.ratio = foot.nearest.distance / multiplier;
     worst_.triangle = sample.triangle;
     worst_.barycentric = sample.barycentric;
-    const auto dominant = std::max_element(ratios_.begin(), ratios_.end()) - ratios_.begin();
-    worst_.variable = space_.variables[static_cast<std::size_t>(dominant)];
+    worst_.variable = farthest_variable(foot);
 }
 
-void FarthestSample::note_ratios(const Foot& foot, double multiplier) {
+/// The number of the variable in which the sample is farthest from what was found.
+std::size_t FarthestSample::farthest_variable(const Foot& foot) {
     const auto [distance, u, v] = foot.nearest;
-    const std::array<double, 3> barycentric{1 - u - v, u, v};
-    place(to_, foot.triangle, barycentric, foot_point_);
-    const double limit = multiplier * multiplier_at(to_, foot.triangle, barycentric); // one of them is 1
-    metric_.between_each(point_.data(), foot_point_.data(), ratios_);
-    for (std::size_t i = 0; i < ratios_.size(); ++i)
-        if (const double ratio = ratios_[i] / limit; ratio > negligible)
-            largest_ratios_[i] = std::max(largest_ratios_[i], ratio);
+    place(to_, foot.triangle, {1 - u - v, u, v}, foot_point_);
+    metric_.between_each(point_.data(), foot_point_.data(), distances_);
+    const auto farthest = std::max_element(distances_.begin(), distances_.end()) - distances_.begin();
+    return space_.variables[static_cast<std::size_t>(farthest)];
 }
 
 } // namespace meshbound::verification

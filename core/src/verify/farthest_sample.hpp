@@ -26,18 +26,15 @@ public:
     /// The sample that is farthest, of about `samples`; of those looked at so far where `reporter` cancels.
     const Deviation& find(std::size_t samples, ShareOfWork share, ProgressReporter& reporter);
 
-    /// For each bounded variable, in the order of the space: what no sample differs by more from the point found for it.
-    const std::vector<double>& largest_ratios() const { return largest_ratios_; }
-
 private:
     void look_at(const Sample& sample);
-    void note_ratios(const Foot& foot, double multiplier);
+    std::size_t farthest_variable(const Foot& foot);
 
     const JointSurface &from_, &to_;
     const JointSpace& space_;
     JointTree tree_;
     JointDistance metric_;
-    std::vector<double> point_, foot_point_, ratios_, largest_ratios_;
+    std::vector<double> point_, foot_point_, distances_;
     Deviation worst_;
     std::uint32_t last_ = 0; ///< neighbouring samples mostly end on the same triangle
 };

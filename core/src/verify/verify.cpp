@@ -20,9 +20,7 @@ public:
     Comparison(const Mesh& original, const Mesh& reduced, const std::vector<double>& bounds,
                const VerifyOptions& options, const Progress& progress)
         : original_(original), reduced_(reduced), options_(options), space_(joint_space(original, bounds)),
-          reporter_(progress) {
-        verdict_.variable_ratios.resize(bounds.size());
-    }
+          reporter_(progress) {}
 
     Verdict run() {
         compare_surfaces();
@@ -67,10 +65,6 @@ private:
             for (std::size_t i = 0; i < 3; ++i)
                 deviation.position[static_cast<std::size_t>(c)] +=
                     deviation.barycentric[i] * value_at(mesh.position, triangle[i], c);
-        for (std::size_t i = 0; i < space_.variables.size(); ++i) {
-            double& ratio = verdict_.variable_ratios[space_.variables[i]];
-            ratio = std::max(ratio, search.largest_ratios()[i]);
-        }
         return deviation;
     }
 
@@ -95,10 +89,8 @@ Status verify(const Mesh& original, const Mesh& reduced, const std::vector<doubl
               const VerifyOptions& options, Verdict& verdict, const Progress& progress) {
     try {
         if (Status status = check_comparable(original, reduced, bounds, options); !status.ok()) return status;
-        if (all_free(bounds)) {
-            verdict = {};
-            verdict.variable_ratios.resize(bounds.size());
-        } else verdict = Comparison(original, reduced, bounds, options, progress).run();
+        if (all_free(bounds)) verdict = {};
+        else verdict = Comparison(original, reduced, bounds, options, progress).run();
         return {};
     } catch (const std::bad_alloc&) {
         return out_of_memory("verifying", original.triangles.size());

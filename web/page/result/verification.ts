@@ -1,5 +1,5 @@
 import { css, html, LitElement, nothing } from 'lit';
-import type { Report, Verdict } from '../../../wasm/types.ts';
+import type { Deviation, Report, Verdict } from '../../../wasm/types.ts';
 import { controlsStyle } from '../../element/controls/controls-style.ts';
 import { countText, upperShareText } from '../../element/number-text.ts';
 import { notVerified, type VerifyState } from '../../session/verifying.ts';
@@ -85,13 +85,19 @@ export class Verification extends LitElement {
     const { verdict, fault } = this.state;
     if (fault !== null) return html`<p class="small broken">${fault}</p>`;
     if (!verdict) return nothing;
-    const said = verdict.withinBounds ? words.holds(countText(samplesOf(verdict))) : words.broken;
-    return html`<p class="small ${verdict.withinBounds ? '' : 'broken'}">${said}</p>
-      <dl class="small">${report.variables.map(
-        ({ name, bound }, i) =>
-          html`<dt class="soft">${name}</dt><dd>${
-            Number.isFinite(bound) ? words.largest(shareText(verdict, i)) : words.free
-          }</dd>`,
+    const { surface, boundary, withinBounds } = verdict;
+    const names = report.variables.map(({ name }) => name);
+    const rows = [
+      [words.surface.fromOriginal, surface.fromOriginal],
+      [words.surface.fromReduced, surface.fromReduced],
+      [words.boundary.fromOriginal, boundary.fromOriginal],
+      [words.boundary.fromReduced, boundary.fromReduced],
+    ] as const;
+    return html`<p class="small ${withinBounds ? '' : 'broken'}">
+        ${withinBounds ? words.holds(countText(samplesOf(verdict))) : words.broken}
+      </p>
+      <dl class="small">${rows.map(
+        ([title, found]) => html`<dt class="soft">${title}</dt><dd>${farthest(found, names, withinBounds)}</dd>`,
       )}</dl>`;
   }
 
@@ -101,9 +107,10 @@ export class Verification extends LitElement {
 }
 
 /** Ratios are too large by a rounding that the judge allows for: where he finds the bounds kept, none is shown as above 100 %. */
-function shareText({ variableRatios, withinBounds }: Verdict, variable: number): string {
-  const ratio = variableRatios[variable];
-  return upperShareText(withinBounds ? Math.min(1, ratio) : ratio);
+function farthest({ ratio, variable, samples }: Deviation, names: readonly string[], withinBounds: boolean): string {
+  if (samples === 0) return Number.isFinite(ratio) ? words.nothing : words.nothingNear;
+  const share = upperShareText(withinBounds ? Math.min(1, ratio) : ratio);
+  return ratio > 0 ? words.farthest(share, names[variable]) : share;
 }
 
 function samplesOf({ surface, boundary }: Verdict): number {
