@@ -80,7 +80,7 @@ export async function chooseFile(page: Page, name: string, content: Buffer): Pro
 export async function saved(shown: Page, format: string, menu = 'Save…'): Promise<{ name: string; bytes: Uint8Array }> {
   const started = shown.waitForEvent('download');
   await shown.getByRole('button', { name: menu }).click();
-  const name = { map: 'Map (VTP)', report: 'Report (JSON)' }[format] ?? format.toUpperCase();
+  const name = { map: 'Map (VTP)', report: 'Report (JSON)', levels: 'Levels (GLB)' }[format] ?? format.toUpperCase();
   await shown.getByRole('button', { name, exact: true }).click();
   const download = await started;
   return { name: download.suggestedFilename(), bytes: new Uint8Array(await readFile(await download.path())) };

@@ -22,7 +22,7 @@ describe('colours of bytes', () => {
       new TextDecoder('latin1').decode(await writeSurface(format, smallMesh([color])));
     expect(await text('ply')).toContain('property uchar red\nproperty uchar green\nproperty uchar blue\n');
     expect(await text('vtp')).toContain('type="UInt8" Name="color"');
-    expect(await text('vtk')).toContain('color 3 4 unsigned_char\n');
+    expect(await text('vtk')).toContain('COLOR_SCALARS color 3\n');
     expect(await text('obj')).toMatch(/^v \S+ \S+ \S+ 1 0 0$/m);
     const file = await writeSurface('glb', smallMesh([color]));
     const size = new DataView(file.buffer, file.byteOffset).getUint32(12, true);

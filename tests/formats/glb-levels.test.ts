@@ -65,17 +65,15 @@ describe('levels as they come from a reduction', () => {
       { mesh: fine, error: 0.001 },
       { mesh: coarse, error: 0.01 },
     ]);
-    expect(await writeLevels({ levels })).toEqual(direct);
-    expect(jsonOf(await writeLevels({ levels: [reduced(fine, 0, 0), reduced(coarse, 0, 0)] })).nodes[0].extras).toBe(
-      undefined,
-    );
+    expect(await writeLevels(levels)).toEqual(direct);
+    expect(jsonOf(await writeLevels([reduced(fine, 0, 0), reduced(coarse, 0, 0)])).nodes[0].extras).toBe(undefined);
   });
 
   it('are refused where the format cannot hold them', async () => {
     const nameless = { ...fine, variables: [{ ...singles[0], name: '' }] };
-    await expect(writeLevels({ levels: [reduced(nameless, 0)] })).rejects.toThrow('without a name');
+    await expect(writeLevels([reduced(nameless, 0)])).rejects.toThrow('without a name');
     const endless = { ...fine, position: fine.position.map(() => Infinity) };
-    await expect(writeLevels({ levels: [reduced(fine, 0), reduced(endless, 0)] })).rejects.toThrow('position');
+    await expect(writeLevels([reduced(fine, 0), reduced(endless, 0)])).rejects.toThrow('position');
   });
 });
 

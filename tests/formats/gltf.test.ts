@@ -78,6 +78,7 @@ describe('GLB by the project', () => {
 
   it('says that doubles are rounded', async () => {
     expect(await lossesOf('glb', smallMesh(mixedVariables()))).toEqual([
+      'GLB takes unit vectors for normals, and bytes or fractions for colours; just numbers in it: “normal”, “color”.',
       expect.stringMatching(/rounded: “temperature” \(.*\), “normal” \(by up to .*\), “stress” \(by up to .*\)\./),
     ]);
     const { mesh } = await read(
@@ -110,7 +111,7 @@ describe('glTF attributes', () => {
       glbFile({ ...json, meshes, nodes: [{ mesh: 0 }], scenes: [{ nodes: [0] }], ...more }, binary),
     );
     expect(mesh.position).toEqual(Float32Array.of(0, 0, 0, 100, 0, 0, 100, 100, 0, 0, 100, 0));
-    expect(variablesOf(mesh).slice(1)).toEqual(['TEMPERATURE 1 2 3 4', 'uv 0 1 0 0 0 0 0 0']);
+    expect(variablesOf(mesh).slice(1)).toEqual(['TEMPERATURE 1 2 3 4', 'uv 0 0 0 1 0 1 0 1']);
     expect(mesh.variables[0]).toMatchObject({ name: 'color', components: 4 });
     expect(mesh.variables[0].values.subarray(0, 4)).toEqual(Float32Array.of(0, 51, 255, 255));
     expect(notes).toEqual(['Not carried: the attributes “TANGENT”.']);

@@ -26,7 +26,8 @@ export function mixedVariables(): Variable[] {
     { name: 'velocity', components: 3, values: Float32Array.from(ramp(12)) },
     { name: 'normal', components: 3, values: Float64Array.from(ramp(12)) },
     { name: 'color', components: 4, values: Float32Array.from(ramp(16)) },
-    { name: 'uv', components: 2, values: Float32Array.from(ramp(8)) },
+    // Eighths, which single precision holds from either edge of a picture.
+    { name: 'uv', components: 2, values: Float32Array.from({ length: 8 }, (_, index) => index / 8 - 1) },
     { name: 'stress', components: 9, values: Float64Array.from(ramp(36)) },
     { name: 'Mach number', components: 1, values: Float32Array.from(ramp(4)) },
     { name: '__proto__', components: 1, values: Float32Array.from(ramp(4)) },

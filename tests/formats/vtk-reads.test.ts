@@ -28,6 +28,8 @@ interface VtkSurface {
   offsets: number[];
   /** Numbers of cells that are no polygons, by their kind. */
   others: Record<string, number>;
+  /** Names of the arrays that VTK takes for normals and so on. */
+  active: Record<string, string>;
   arrays: VtkArray[];
 }
 
@@ -97,11 +99,30 @@ const wholeFiles: typeof written = [
   ['whole.vtk', 'vtk', whole, { wholeTypes }],
 ];
 
+/** What VTK takes for what, whatever it is called. */
+const declared = smallMesh([
+  { name: 'n', components: 3, values: Float32Array.of(0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 0.6, 0.8) },
+  { name: 'pressure', components: 1, values: Float32Array.of(1, 2, 3, 4) },
+  { name: 'place', components: 2, values: Float32Array.of(0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7) },
+  { name: 'number', components: 1, values: Float32Array.of(4, 3, 2, 1) },
+  { name: 'name', components: 1, values: Float32Array.of(7, 8, 9, 5) },
+]);
+const roles: Labels['roles'] = { n: 'normal', place: 'textureCoordinates', number: 'globalIds', name: 'pedigreeIds' };
+const declaredOptions = { roles, wholeTypes: { number: 'int64', name: 'int32' } } as const;
+const coloured = smallMesh([
+  { name: 'RGB', components: 3, values: Float32Array.from({ length: 12 }, (_, i) => 23 * i) },
+]);
+const declaredFiles: typeof written = [
+  ['declared.vtp', 'vtp', declared, declaredOptions],
+  ['declared.vtk', 'vtk', declared, declaredOptions],
+  ['coloured.vtk', 'vtk', coloured, {}],
+];
+
 /** One process for all files, since VTK takes its time to start. */
 async function askVtk(command: string, folder: string): Promise<VtkAnswer> {
   const [files, variants, drawn] = ['files', 'variants', 'drawn'].map((name) => join(folder, name));
   for (const path of [files, variants, drawn]) mkdirSync(path);
-  for (const [name, format, mesh, options] of [...written, ...wholeFiles]) {
+  for (const [name, format, mesh, options] of [...written, ...wholeFiles, ...declaredFiles]) {
     writeFileSync(join(files, name), await writeSurface(format, mesh, options));
   }
   const script = fileURLToPath(new URL('vtk_dump.py', import.meta.url));
@@ -196,6 +217,16 @@ describe.skipIf(mustSkip(missing))(title('VTK reads what the project writes'), (
     expect(cornerPlaces(places, corners)).toEqual(cornerPlaces(mesh.position, mesh.triangles));
   });
 
+  it.each(['declared.vtp', 'declared.vtk'])('%s: normals, texture coordinates and ids as such', (name) => {
+    expect(read[name].active).toEqual({ Normals: 'n', TCoords: 'place', GlobalIds: 'number', PedigreeIds: 'name' });
+    expect(read[name].arrays.map((array) => array.name).sort()).toEqual(['n', 'name', 'number', 'place', 'pressure']);
+  });
+
+  it('coloured.vtk: colours as the bytes to draw with', () => {
+    expect(read['coloured.vtk'].active).toEqual({ Scalars: 'RGB' });
+    expect(read['coloured.vtk'].arrays[0]).toMatchObject({ type: 'uint8', components: 3 });
+  });
+
   it.each(filesOf('.glb'))('%s: every variable, in its single precision', (name, _, mesh) => {
     expectCells(read[name], mesh);
     expect(vtkBits(read[name].points)).toBe(rounded(mesh.position));
@@ -209,7 +240,8 @@ describe.skipIf(mustSkip(missing))(title('VTK reads what the project writes'), (
 function gltfAttributes({ name, components, values }: Variable, unitNormals: boolean): [name: string, bits: string][] {
   const semantic = `_${name.toUpperCase().replace(/[^A-Z0-9]+/g, '_')}`;
   const known = name === 'uv' ? 'TEXCOORD_0' : name === 'normal' && unitNormals ? 'NORMAL' : semantic;
-  if (components <= 4) return [[known, rounded(values)]];
+  const turned = name === 'uv' ? values.map((value: number, i: number) => (i % 2 === 1 ? 1 - value : value)) : values;
+  if (components <= 4) return [[known, rounded(turned)]];
   return Array.from({ length: components }, (_, component) => [
     `${semantic}_${component}`,
     rounded(values.filter((_, index) => index % components === component)),
@@ -249,8 +281,7 @@ describe.skipIf(mustSkip(missing))(title('The project reads what VTK writes for 
   const expected: Record<string, Record<string, number[]>> = {
     ply: {
       color: colours,
-      u: places.filter((_, i) => i % 2 === 0),
-      v: places.filter((_, i) => i % 2 === 1),
+      uv: places,
     },
     stl: {},
     obj: { normal: normals, uv: places },

@@ -64,6 +64,11 @@ def dump(surface):
         "corners": vtk_to_numpy(polygons.GetConnectivityArray()).tolist(),
         "offsets": vtk_to_numpy(polygons.GetOffsetsArray()).tolist(),
         "others": {kind: cells.GetNumberOfCells() for kind, cells in kinds.items() if cells.GetNumberOfCells()},
+        "active": {
+            kind: getattr(attributes, f"Get{kind}")().GetName()
+            for kind in ("Normals", "TCoords", "GlobalIds", "PedigreeIds", "Scalars")
+            if getattr(attributes, f"Get{kind}")()
+        },
         "arrays": [dump_array(attributes.GetArray(index)) for index in range(attributes.GetNumberOfArrays())],
     }
 

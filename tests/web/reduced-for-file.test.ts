@@ -1,6 +1,6 @@
 import { expect, it, vi } from 'vitest';
-import { reduce } from '../../wasm/index.ts';
-import type { Mesh } from '../../wasm/types.ts';
+import { reduce, reduceLevels } from '../../wasm/index.ts';
+import type { Mesh, Report } from '../../wasm/types.ts';
 import { roundingsOf } from '../../web/formats/file-rounding.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import { noLabels } from '../../web/formats/surface.ts';
@@ -45,14 +45,21 @@ async function atBound(temperature: number) {
 it('is the result where the format keeps every number', async () => {
   const reduced = await atBound(1e-4);
   const again = vi.fn(reduce);
-  expect((await reducedForFile('vtp', surface, reduced, again)).mesh).toBe(reduced.result.mesh);
+  const forFile = await reducedForFile('vtp', surface, [reduced], { reduce: again, reduceLevels });
+  expect(forFile).toEqual({ results: [{ mesh: reduced.result.mesh, report: reduced.result.report }], again: false });
   expect(again).not.toHaveBeenCalled();
 });
 
 it('is reduced anew where rounding would break a bound, and keeps it in the file', async () => {
   const reduced = await atBound(1e-4);
   const again = vi.fn(reduce);
-  const { mesh: kept, origin } = await reducedForFile('glb', surface, reduced, again);
+  const {
+    results,
+    origin,
+    again: isAgain,
+  } = await reducedForFile('glb', surface, [reduced], { reduce: again, reduceLevels });
+  const [{ mesh: kept, report: inFile }] = results;
+  expect(isAgain).toBe(true);
   expect(again).toHaveBeenCalledOnce();
   const [{ bounds }] = again.mock.calls.map(([, options]) => options);
   const left = (bounds.temperature as { absolute: number }).absolute;
@@ -64,13 +71,76 @@ it('is reduced anew where rounding would break a bound, and keeps it in the file
     moved = Math.max(moved, Math.abs(back.variables[0].values[i] - value));
   expect(moved).toBeGreaterThan(0);
   expect(report.variables[1].error + moved).toBeLessThanOrEqual(1e-4);
+  const [rounding] = roundingsOf('glb', mesh).slice(1);
+  expect(inFile.variables[1]).toMatchObject({ bound: 1e-4, rounding, error: report.variables[1].error + rounding });
+  expect(inFile.variables[1].ratio).toBeLessThanOrEqual(1);
 });
 
 it('is refused by name, before anything is reduced, where the format takes too much', async () => {
   const reduced = await atBound(2e-5);
   const again = vi.fn(reduce);
-  await expect(reducedForFile('glb', surface, reduced, again)).rejects.toThrow(
+  await expect(reducedForFile('glb', surface, [reduced], { reduce: again, reduceLevels })).rejects.toThrow(
     /GLB cannot keep the bound 0\.00002 of “temperature”/,
   );
   expect(again).not.toHaveBeenCalled();
 });
+
+it('is reduced anew to levels that all keep their bounds in the file', async () => {
+  const levels = await Promise.all([1e-4, 2e-4, 4e-4].map(atBound));
+  const all = levels.map(({ bounds }) => asBounds(bounds));
+  const shown = await reduceLevels(mesh, { ...firstMethod, levels: all });
+  const reduced = shown.levels.map((result, i) => ({ ...levels[i], result }));
+  const { results, origin, again } = await reducedForFile('glb', surface, reduced, { reduce, reduceLevels });
+  expect(again).toBe(true);
+  expect(results).toHaveLength(3);
+  for (const [i, { mesh: kept, report }] of results.entries()) {
+    const back = (await readSurface('a.glb', await writeSurface('glb', kept, { ...labels, origin }))).mesh;
+    expect(report.variables[1].bound).toBeCloseTo([1e-4, 2e-4, 4e-4][i], 12);
+    expect(report.variables[1].ratio).toBeLessThanOrEqual(1);
+    expect(back.triangles).toEqual(kept.triangles);
+  }
+});
+
+it('has the errors of the file in its report where it need not be reduced anew', async () => {
+  const reduced = await atBound(0.01);
+  const again = vi.fn(reduce);
+  const { results } = await reducedForFile('glb', surface, [reduced], { reduce: again, reduceLevels });
+  expect(again).not.toHaveBeenCalled();
+  const [rounding] = roundingsOf('glb', reduced.result.mesh).slice(1);
+  const before = reduced.result.report.variables[1];
+  expect(results[0].report.variables[1]).toMatchObject({ error: before.error + rounding, rounding });
+  expect(results[0].report.variables[1].ratio).toBeCloseTo(before.ratio + rounding / before.bound, 12);
+});
+
+it('leaves the format its part of a bound that the feature size limits', async () => {
+  // Two plates, 0.002 apart: half of that distance is the bound, and GLB rounds thirds by a hundredth of it.
+  const [lower, upper] = [0, 0.002];
+  const square = [0, 0, 1, 0, 1, 1, 0, 1];
+  const corners = (z: number) =>
+    [0, 1, 2, 3].flatMap((i) => [(square[2 * i] * 1000) / 3, (square[2 * i + 1] * 1000) / 3, z]);
+  const plates: Mesh = {
+    position: Float64Array.from([...corners(lower), ...corners(upper)]),
+    triangles: Uint32Array.of(0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6),
+    variables: [],
+  };
+  const method = { ...firstMethod, limitToFeatureSize: true };
+  const bounds = { position: { fraction: 0.01, absolute: 10, free: false } };
+  const result = await reduce(plates, { ...method, bounds: asBounds(bounds) });
+  const { featureSize = Number.NaN } = result.report;
+  expect(featureSize).toBeCloseTo(0.002, 12);
+  const open = { ...surface, mesh: plates };
+  const reduced = { result: { ...result, report: fullyUsed(result.report) }, bounds, method, keeping: nothingKept };
+  const again = vi.fn(reduce);
+  const { results } = await reducedForFile('glb', open, [reduced], { reduce: again, reduceLevels });
+  const asked = again.mock.calls.map(([, options]) => options.bounds.position);
+  const [rounding] = roundingsOf('glb', plates);
+  expect(rounding).toBeGreaterThan(0);
+  expect(asked).toEqual([{ absolute: 10 - rounding }, { absolute: featureSize / 2 - rounding }]);
+  expect(results[0].report.featureSize).toBe(featureSize);
+  expect(results[0].report.variables[0].bound).toBeCloseTo(featureSize / 2, 12);
+});
+
+/** As of a reduction that used all of its bounds. */
+function fullyUsed(report: Report): Report {
+  return { ...report, variables: report.variables.map((variable) => ({ ...variable, ratio: 1 })) };
+}

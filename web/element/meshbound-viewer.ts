@@ -8,13 +8,14 @@ import { Probing } from '../session/probing.ts';
 import { fetchBytes } from '../session/reading/fetch-bytes.ts';
 import { readInWorker } from '../session/reading/read.ts';
 import { LevelSession, mostLevels } from '../session/reducing/level-session.ts';
+import type { Reducers } from '../session/reducing/reduced-for-file.ts';
 import { Session } from '../session/session.ts';
 import { answerOf, type Reduced, type SessionState, type Standing, standingOf } from '../session/session-state.ts';
 import { readOptionsFrom } from './attributes/read-options.ts';
 import './controls/bound-slider.ts';
 import { keepingAttributes, keepingFrom } from './attributes/keeping-attributes.ts';
 import { controlsStyle } from './controls/controls-style.ts';
-import type { SavedKind } from './saving/download.ts';
+import type { SavedKind, SavedSurface } from './saving/download.ts';
 import './controls/levels-panel.ts';
 import { LevelMotion } from './level-motion.ts';
 import { LevelView } from './stage/level-view.ts';
@@ -133,6 +134,7 @@ export class MeshboundViewer extends ViewerProperties {
   #shown: Shown = { mesh: null, reduction: null };
   #worstWanted: string | null = null;
   #levelView: LevelView | null = null;
+  #lastSaved: SavedSurface | null = null;
   #motion = new LevelMotion(this.levels, () => this.#stage?.showsReduced ?? false);
   /** What the last change of the session was compared with. */
   #seen: SessionState = this.session.state;
@@ -386,21 +388,43 @@ export class MeshboundViewer extends ViewerProperties {
     try {
       // Loaded when it is first needed, as the formats' writers are.
       const { download, savedFile } = await import('./saving/download.ts');
-      const { name, content, losses } = await savedFile(surface, reduced, this.levels.state.nested, kind, reduce);
-      download(name, content);
-      this.#tellSaved(name, reduced, losses);
+      const savable = { surface, reduced, levels: this.levels.state.results, last: this.#lastSaved };
+      const saved = await savedFile(kind, savable, this.#reducersForFile());
+      download(saved.name, saved.content);
+      if (saved.report) this.#lastSaved = { of: reduced, name: saved.name, report: saved.report };
+      this.#tellSaved(saved.name, reduced, saved.notes);
     } catch (error) {
-      this.session.report(error, { about: 'saved' });
+      if (error instanceof DOMException && error.name === 'AbortError')
+        this.session.tell(english.save.reducingCancelled, { about: 'saved', passing: true });
+      else this.session.report(error, { about: 'saved' });
     }
   }
 
-  /** What a file lacks, or that it is not what is asked for. */
-  #tellSaved(name: string, { bounds }: Reduced, losses: readonly string[]): void {
+  /** What reduces again for a file that rounds; meanwhile a notice says how far it is, and can end it. */
+  #reducersForFile(): Reducers {
+    const ending = new AbortController();
+    const remedy = { label: english.progress.cancel, take: () => ending.abort() };
+    let told = -1;
+    const onProgress = (progress: number) => {
+      const percent = 10 * Math.floor(10 * progress);
+      if (percent === told || ending.signal.aborted) return;
+      told = percent;
+      this.session.tell(english.save.reducing(percent), { about: 'saved', remedy });
+    };
+    const watched = { signal: ending.signal, onProgress };
+    return {
+      reduce: (mesh, options) => reduce(mesh, { ...options, ...watched }),
+      reduceLevels: (mesh, options) => reduceLevels(mesh, { ...options, ...watched }),
+    };
+  }
+
+  /** What a file lacks, that it was reduced again for, or that it is not what is asked for. */
+  #tellSaved(name: string, { bounds }: Reduced, notes: readonly string[]): void {
     const isEarlier = standingOf(this.session.state) !== 'asked';
     const earlier = isEarlier ? [english.save.earlier(name, boundsText(asBounds(bounds)))] : [];
-    const lost = losses.length > 0 ? [`${name}: ${losses.join(' ')}`] : [];
-    if (isEarlier || losses.length > 0)
-      this.session.tell([...earlier, ...lost].join(' '), { about: 'saved', passing: !isEarlier });
+    const said = notes.length > 0 ? [`${name}: ${notes.join(' ')}`] : [];
+    if (isEarlier || notes.length > 0)
+      this.session.tell([...earlier, ...said].join(' '), { about: 'saved', passing: !isEarlier });
     else this.session.forget('saved');
   }
 

@@ -1,6 +1,7 @@
 import type { Mesh, Variable } from '../../wasm/types.ts';
 import { localOrigin, type Origin } from './gltf/local-origin.ts';
-import type { Format } from './surface.ts';
+import type { Format, WriteOptions } from './surface.ts';
+import { byRole } from './variables/roles.ts';
 
 const singlePrecision: ReadonlySet<Format> = new Set<Format>(['glb', 'stl']);
 
@@ -14,21 +15,33 @@ export function originIn(format: Format, mesh: Mesh): Origin {
  * variables. Only corners of triangles count; a point of a triangle moves by no more than its corners do. PLY, VTP, VTK and
  * OBJ hold every number as it is.
  */
-export function roundingsOf(format: Format, mesh: Mesh, origin: Origin = originIn(format, mesh)): number[] {
+export function roundingsOf(
+  format: Format,
+  mesh: Mesh,
+  options: Pick<WriteOptions, 'origin' | 'roles'> = {},
+): number[] {
   const position = { name: 'position', components: 3, values: mesh.position };
   const variables: Variable[] = [position, ...mesh.variables];
   if (!singlePrecision.has(format)) return variables.map(() => 0);
-  return variables.map((variable, i) => largestRounding(variable, mesh.triangles, i === 0 ? origin : undefined));
+  const texture = format === 'glb' ? byRole(mesh.variables, options).get('textureCoordinates') : undefined;
+  return variables.map((variable, i) => {
+    const origin = i === 0 ? (options.origin ?? originIn(format, mesh)) : [];
+    return largestRounding(variable, mesh.triangles, variable === texture ? topEdge : origin);
+  });
 }
 
-function largestRounding({ values, components }: Variable, corners: Uint32Array, origin?: Origin): number {
-  if (values instanceof Float32Array) return 0;
+/** From where GLB measures v, the second texture coordinate. */
+const topEdge = [0, 1];
+
+/** `origin`: by component what values are measured from; 0 where there is nothing. */
+function largestRounding({ values, components }: Variable, corners: Uint32Array, origin: readonly number[]): number {
+  if (values instanceof Float32Array && origin.every((from) => from === 0)) return 0;
   let largest = 0;
   for (const corner of corners) {
     let square = 0;
     for (let i = 0; i < components; i++) {
       const value = values[corner * components + i];
-      const from = origin?.[i] ?? 0;
+      const from = origin[i] ?? 0;
       const difference = from + Math.fround(value - from) - value;
       square += difference * difference;
     }

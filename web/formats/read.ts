@@ -121,12 +121,17 @@ function withIdentifiers(surface: Surface): Surface {
 
 /** A surface with names that its variables may have. */
 function withoutReservedNames(surface: Surface): Surface {
-  const { mesh, notes, units, componentNames } = surface;
+  const { mesh, notes, units, componentNames, wholeTypes = {}, roles = {} } = surface;
   const { variables, names, notes: more } = renamedVariables(mesh.variables);
   if (names.size === 0) return surface;
   // What a file says of “position” it says of the geometry.
   const others = new Map([...names].filter(([name]) => name !== 'position'));
-  const labels = { units: renamedKeys(units, others), componentNames: renamedKeys(componentNames, others) };
+  const labels = {
+    units: renamedKeys(units, others),
+    componentNames: renamedKeys(componentNames, others),
+    wholeTypes: renamedKeys(wholeTypes, names),
+    roles: renamedKeys(roles, names),
+  };
   return { ...surface, ...labels, mesh: { ...mesh, variables }, notes: [...notes, ...more] };
 }
 

@@ -1,5 +1,6 @@
 import type { Mesh } from '../../wasm/types.ts';
 import type { Origin } from './gltf/local-origin.ts';
+import type { Role } from './variables/roles.ts';
 import type { WholeType } from './variables/whole-types.ts';
 
 /** The formats that are read and written, by the usual ending of their names. */
@@ -13,6 +14,8 @@ export interface Labels {
   componentNames: Record<string, string[]>;
   /** The types of the variables that the file holds as whole numbers. */
   wholeTypes?: Record<string, WholeType>;
+  /** What the file declares its variables to be, whatever they are called. */
+  roles?: Record<string, Role>;
   /** What labels of triangles stand for, by the arrays that hold them, where the file has names for that. */
   regionNames?: ReadonlyMap<string, ReadonlyMap<number, string>>;
 }

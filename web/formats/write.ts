@@ -1,4 +1,4 @@
-import type { Levels, Mesh, Variable, VariableReport } from '../../wasm/types.ts';
+import type { Mesh, Reduction, Variable, VariableReport } from '../../wasm/types.ts';
 import { gzip } from './bytes/gzip.ts';
 import { withinMemory } from './bytes/within-memory.ts';
 import { gather } from './cracks/weld.ts';
@@ -13,7 +13,9 @@ import { noLongerWhole } from './variables/whole-numbers.ts';
 interface Writer {
   write: (mesh: Mesh, options?: WriteOptions) => Uint8Array | Promise<Uint8Array>;
   /** Variables that the format has no place for. */
-  lost: (mesh: Mesh) => Variable[];
+  lost: (mesh: Mesh, labels: LabelNames) => Variable[];
+  /** Variables with a role whose place in the format their values do not fit. */
+  unfit: (mesh: Mesh, labels: LabelNames) => Variable[];
   /** Whether numbers go out in single precision, and finite, only. */
   single: boolean;
   /** Whether units and component names have a place. */
@@ -27,10 +29,11 @@ interface Writer {
 }
 
 const allLabels = (mesh: Mesh, labels: LabelNames) => labelArrays(mesh, labels).map(([name]) => name);
-const noLabels = () => [];
+const none = () => [];
 
 const lossless = {
-  lost: () => [],
+  lost: none,
+  unfit: none,
   single: false,
   labels: true,
   heldLabels: allLabels,
@@ -48,6 +51,7 @@ const writers: Record<Format, () => Promise<Writer>> = {
     return {
       write: writeObj,
       lost: lostInObj,
+      unfit: none,
       single: false,
       labels: false,
       heldLabels: (mesh, labels) => [materialArray(mesh, labels)].filter((name) => name !== undefined),
@@ -60,21 +64,26 @@ const writers: Record<Format, () => Promise<Writer>> = {
     return {
       write: writeStl,
       lost: (mesh) => mesh.variables,
+      unfit: none,
       single: true,
       labels: false,
-      heldLabels: noLabels,
+      heldLabels: none,
       regionNames: false,
       nameless: true,
     };
   },
   glb: async () => {
-    const { writeGlb } = await import('./gltf/write-glb.ts');
+    const [{ writeGlb }, { unfitInGltf }] = await Promise.all([
+      import('./gltf/write-glb.ts'),
+      import('./gltf/gltf-variables.ts'),
+    ]);
     return {
       write: writeGlb,
-      lost: () => [],
+      lost: none,
+      unfit: unfitInGltf,
       single: true,
       labels: true,
-      heldLabels: noLabels,
+      heldLabels: none,
       regionNames: false,
       nameless: false,
     };
@@ -88,16 +97,19 @@ const writers: Record<Format, () => Promise<Writer>> = {
  */
 export async function writeSurface(format: Format, mesh: Mesh, options?: WriteOptions): Promise<Uint8Array> {
   const writer = await writers[format]();
-  requirePlace(format, mesh, writer);
+  requirePlace(format, mesh, writer, options ?? {});
   const held = withPoints(mesh, writtenPoints(format, mesh));
   const file = await withinMemory(() => writer.write(held, options));
   return options?.gzip ? gzip(file) : file;
 }
 
+/** A level of detail as it goes into a file. */
+type LevelOfFile = Pick<Reduction, 'mesh' | 'report'>;
+
 /** Writes nested levels of detail as one GLB file (see writeGlbLevels), of which the same holds. */
-export async function writeLevels({ levels }: Pick<Levels, 'levels'>, options?: WriteOptions): Promise<Uint8Array> {
+export async function writeLevels(levels: LevelOfFile[], options?: WriteOptions): Promise<Uint8Array> {
   const writer = await writers.glb();
-  for (const { mesh } of levels) requirePlace('glb', mesh, writer);
+  for (const { mesh } of levels) requirePlace('glb', mesh, writer, options ?? {});
   const { writeGlbLevels } = await import('./gltf/write-glb-levels.ts');
   const parts = levels.map(({ mesh, report }) => ({ mesh, error: relativeError(report.variables[0]) }));
   return writeGlbLevels(parts, options);
@@ -108,9 +120,14 @@ function relativeError({ error, extent }: VariableReport): number | undefined {
   return extent > 0 ? error / extent : undefined;
 }
 
-function requirePlace(format: Format, mesh: Mesh, { lost, single, nameless }: Writer): void {
+/** Throws a FormatError where no file of this format can hold the mesh, nor what a reduction leaves of it: before that is made. */
+export async function requireHeld(format: Format, mesh: Mesh, labels: LabelNames): Promise<void> {
+  requirePlace(format, mesh, await writers[format](), labels);
+}
+
+function requirePlace(format: Format, mesh: Mesh, { lost, single, nameless }: Writer, labels: LabelNames): void {
   if (!nameless) requireNames(format, mesh);
-  if (single) requireFinite(format, keptVariables(mesh, lost(mesh)), writtenPoints(format, mesh));
+  if (single) requireFinite(format, keptVariables(mesh, lost(mesh, labels)), writtenPoints(format, mesh));
 }
 
 /** What a file of this format will not hold of the mesh and its labels, a sentence each; nothing for PLY, VTP and legacy VTK. */
@@ -118,15 +135,20 @@ export async function lossesOf(format: Format, mesh: Mesh, labels: LabelNames = 
   const writer = await writers[format]();
   const { lost, single, labels: holdsLabels } = writer;
   const sentences = pointLosses(format, mesh);
-  const names = lost(mesh).map(({ name }) => name);
+  const names = lost(mesh, labels).map(({ name }) => name);
   if (names.length > 0) sentences.push(`${formatNames[format]} has no place for the variables ${listed(names)}.`);
-  const kept = keptVariables(mesh, lost(mesh));
+  const kept = keptVariables(mesh, lost(mesh, labels));
+  const unfit = writer.unfit(mesh, labels).map(({ name }) => name);
+  if (unfit.length > 0)
+    sentences.push(
+      `${formatNames[format]} takes unit vectors for normals, and bytes or fractions for colours; just numbers in it: ${listed(unfit)}.`,
+    );
   sentences.push(...regionLosses(format, mesh, labels, writer));
   if (!holdsLabels) sentences.push(...labelLosses(format, kept, labels));
   const floated = noLongerWhole(format, kept.slice(1), labels).map(({ name }) => name);
   if (floated.length > 0)
     sentences.push(`${formatNames[format]} holds as floating point what were whole numbers: ${listed(floated)}.`);
-  const roundings = single ? roundingsOf(format, { ...mesh, variables: kept.slice(1) }, labels.origin) : [];
+  const roundings = single ? roundingsOf(format, { ...mesh, variables: kept.slice(1) }, labels) : [];
   const rounded = kept.flatMap(({ name }, i) =>
     roundings[i] > 0 ? [`${quoted(name)} (by up to ${roundings[i].toPrecision(2)})`] : [],
   );

@@ -185,8 +185,8 @@ export class Session extends EventTarget {
   }
 
   /** Tells the user something worth knowing of what is open; what is passing goes by itself. */
-  tell(text: string, { about, passing = false }: { about?: string; passing?: boolean } = {}): void {
-    this.#notify({ kind: 'note', text, about, passing });
+  tell(text: string, { about, passing = false, remedy }: Pick<Notice, 'about' | 'passing' | 'remedy'> = {}): void {
+    this.#notify({ kind: 'note', text, about, passing, remedy });
   }
 
   /** Takes back what was said about something: it is so no longer. */
@@ -309,8 +309,11 @@ export class Session extends EventTarget {
 
   /** The same is not said twice: what is new takes the place of what was said before. */
   #notify(notice: Omit<Notice, 'id'>): void {
-    const others = this.#state.notices.filter((other) => !isAboutTheSame(other, notice));
-    this.#update({ notices: [...others, { ...notice, id: ++this.#lastNotice }] });
+    const { notices } = this.#state;
+    const others = notices.filter((other) => !isAboutTheSame(other, notice));
+    // One that offers a way out keeps its button, and whoever is on that, while its words change.
+    const before = notices.find((other) => isAboutTheSame(other, notice) && other.remedy && notice.remedy);
+    this.#update({ notices: [...others, { ...notice, id: before?.id ?? ++this.#lastNotice }] });
   }
 }
 

@@ -120,6 +120,10 @@ export const english = {
   },
 
   save: {
+    again: (format: string, there: string, here: string) =>
+      `${format} rounds numbers, so the surface was reduced again: ${there} triangles keep every bound in the file, in place of the ${here} shown.`,
+    reducing: (percent: number) => `Reducing again for the file… ${percent}${space}%`,
+    reducingCancelled: 'Saving was cancelled; no file was written.',
     earlier: (name: string, bounds: string) =>
       `${name} holds the result with the bounds before, ${bounds}; what is asked for now was not reduced.`,
   },

@@ -1,16 +1,20 @@
 import type { Accessor, Primitive } from '@gltf-transform/core';
-import type { Variable } from '../../../wasm/types.ts';
+import type { Mesh, Variable } from '../../../wasm/types.ts';
 import { joined } from '../bytes/joined-arrays.ts';
 import { FormatError } from '../format-error.ts';
-import { type Labels, noLabels } from '../surface.ts';
+import { type Labels, noLabels, type WriteOptions } from '../surface.ts';
 import { listed, quoted } from '../text/wording.ts';
-import { isByteColour, isColour } from '../variables/colours.ts';
+import { isByteColour } from '../variables/colours.ts';
+import { asFloatingPoint } from '../variables/precision.ts';
+import { byRole, nameOf, type Role, roleSpelled, spellings } from '../variables/roles.ts';
+import { upsideDown } from './texture-direction.ts';
 
-/** An attribute of a primitive as a variable; all numbers of glTF are single precision. */
+/** An attribute of a primitive as a variable. Numbers of glTF are single precision; texture coordinates are so no more when v is turned round. */
 export interface GltfAttribute {
   name: string;
+  semantic: string;
   components: number;
-  values: Float32Array;
+  values: Float32Array | Float64Array;
   unit: string | undefined;
   componentNames: string[] | undefined;
 }
@@ -26,28 +30,41 @@ export interface GltfExtras {
   component?: number;
 }
 
-const semantics = new Map([
-  ['NORMAL', 'normal'],
-  ['COLOR_0', 'color'],
-  ['TEXCOORD_0', 'uv'],
-]);
-
 /** The variable that a semantic stands for; undefined for what is not carried (tangents, joints, weights). */
 function variableName(semantic: string): string | undefined {
-  const more = /^(COLOR|TEXCOORD)_(\d+)$/.exec(semantic);
-  if (semantics.has(semantic)) return semantics.get(semantic);
-  if (more) return `${semantics.get(`${more[1]}_0`)}_${more[2]}`;
+  const more = /^((?:COLOR|TEXCOORD)_)([1-9]\d*)$/.exec(semantic);
+  const role = roleSpelled('gltf', more ? `${more[1]}0` : semantic);
+  if (role) return more ? `${nameOf(role)}_${more[2]}` : nameOf(role);
   return semantic.startsWith('_') && semantic.length > 1 ? semantic.slice(1) : undefined;
 }
 
-/** The semantic for a variable as glTF prescribes it: an underscore and capitals, or one of its own where the values fit it. */
-export function semanticFor({ name, components, values }: Variable): string {
-  const all = (isGood: (value: number) => boolean) => values.every(isGood);
-  if (name === 'uv' && components === 2) return 'TEXCOORD_0';
-  const fractions = () => name === 'color' && isColour({ name, components }) && all((v) => v >= 0 && v <= 1);
-  if (isByteColour({ name, components, values }) || fractions()) return 'COLOR_0';
-  if (name === 'normal' && components === 3 && areUnitVectors(values)) return 'NORMAL';
-  return `_${name.toUpperCase().replace(/[^A-Z0-9]+/g, '_')}`;
+/**
+ * The semantic for a variable: that of its role, where it has one and its values fit that; else, as glTF prescribes it, an
+ * underscore and capitals.
+ */
+export function semanticFor(variable: Variable, role: Role | undefined): string {
+  const semantic = role && spellings[role].gltf;
+  if (semantic && fits(variable, role)) return semantic;
+  return `_${variable.name.toUpperCase().replace(/[^A-Z0-9]+/g, '_')}`;
+}
+
+/** The variables whose values glTF does not allow in the places of their roles. */
+export function unfitInGltf({ variables }: Pick<Mesh, 'variables'>, options: Pick<WriteOptions, 'roles'>): Variable[] {
+  const unfit = [...byRole(variables, options)].filter(([role, each]) => spellings[role].gltf && !fits(each, role));
+  return unfit.map(([, variable]) => variable);
+}
+
+/** Whether glTF allows such values in the place of a role. */
+function fits(variable: Variable, role: Role): boolean {
+  const { values } = variable;
+  if (role === 'normal') return areUnitVectors(values);
+  if (role === 'colour') return isByteColour(variable) || values.every((value: number) => value >= 0 && value <= 1);
+  return true;
+}
+
+/** Whether an attribute is texture coordinates, whose v falls in glTF. */
+export function isTexture(semantic: string): boolean {
+  return /^TEXCOORD_\d+$/.test(semantic);
 }
 
 function areUnitVectors(values: ArrayLike<number>): boolean {
@@ -93,11 +110,9 @@ export function namedAttributes(
       const message = `The attribute ${quoted(semantic)} of ${where} has ${accessor.getCount()} elements, but POSITION ${points}.`;
       throw new FormatError('count_mismatch', message, where);
     }
-    const part = {
-      extras,
-      size: accessor.getElementSize(),
-      values: byteColours(accessor, semantic) ?? numbersOf(accessor),
-    };
+    const numbers = byteColours(accessor, semantic) ?? numbersOf(accessor);
+    const values = isTexture(semantic) ? asFloatingPoint(upsideDown(numbers)) : numbers;
+    const part = { extras, semantic, size: accessor.getElementSize(), values };
     const others = parts.get(name);
     if (others) others.push(part);
     else parts.set(name, [part]);
@@ -114,8 +129,9 @@ function byteColours(accessor: Accessor, semantic: string): Float32Array | undef
 
 interface Part {
   extras: Partial<GltfExtras>;
+  semantic: string;
   size: number;
-  values: Float32Array;
+  values: Float32Array | Float64Array;
 }
 
 /** What the project's writer left in the extras, as far as it is what it should be. */
@@ -134,8 +150,10 @@ export function extrasOf(accessor: Accessor): Partial<GltfExtras> {
 /** A variable from one attribute, or from several that are a component each. */
 function assemble(name: string, parts: Part[], where: string): GltfAttribute {
   const [first] = parts;
+  const { semantic } = first;
   const { unit, componentNames } = first.extras;
-  if (parts.length === 1) return { name, components: first.size, values: first.values, unit, componentNames };
+  const said = { name, semantic, unit, componentNames };
+  if (parts.length === 1) return { ...said, components: first.size, values: first.values };
   const byComponent = new Map(parts.filter(({ size }) => size === 1).map((part) => [part.extras.component, part]));
   const complete = parts.flatMap((_, index) => byComponent.get(index) ?? []);
   if (complete.length < parts.length) {
@@ -147,7 +165,7 @@ function assemble(name: string, parts: Part[], where: string): GltfAttribute {
     for (let point = 0; point < part.values.length; point++)
       values[point * components + component] = part.values[point];
   }
-  return { name, components, values, unit, componentNames };
+  return { ...said, components, values };
 }
 
 /** The variables that all primitives have, one primitive after the other. */
@@ -163,7 +181,8 @@ export function joinAttributes(parts: GltfAttribute[][], notes: string[]): { var
     if (unit) labels.units[name] = unit;
     if (componentNames?.length === components) labels.componentNames[name] = componentNames;
     const values = found.map((each) => each.values);
-    return [{ name, components, values: joined(values, Float32Array) }];
+    const single = values.every((each) => each instanceof Float32Array);
+    return [{ name, components, values: single ? joined(values, Float32Array) : joined(values, Float64Array) }];
   });
   if (partial.size > 0) notes.push(`Not carried, since not every primitive has them: ${listed([...partial])}.`);
   return { variables, labels };

@@ -229,7 +229,7 @@ function place(part: Part, m: number[]): Part {
   const cofactors = cofactorsOf(m);
   const determinant = m[0] * cofactors[0] + m[4] * cofactors[3] + m[8] * cofactors[6];
   const attributes = part.attributes.map((attribute) =>
-    attribute.name === 'normal'
+    attribute.semantic === 'NORMAL'
       ? { ...attribute, values: turnNormals(attribute.values, cofactors, Math.sign(determinant)) }
       : attribute,
   );
@@ -250,7 +250,7 @@ function cofactorsOf(m: number[]): number[] {
   });
 }
 
-function turnNormals(normals: Float32Array, cofactors: number[], sign: number): Float32Array {
+function turnNormals(normals: GltfAttribute['values'], cofactors: number[], sign: number): GltfAttribute['values'] {
   const turned = normals.slice();
   for (let at = 0; at < normals.length; at += 3) {
     const [x, y, z] = normals.subarray(at, at + 3);

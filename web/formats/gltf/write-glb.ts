@@ -2,8 +2,10 @@ import { type Accessor, Document, type Extension, Logger, type Node, Primitive, 
 import type { Mesh, Variable } from '../../../wasm/types.ts';
 import type { WriteOptions } from '../surface.ts';
 import { isByteColour } from '../variables/colours.ts';
-import { type GltfExtras, semanticFor } from './gltf-variables.ts';
+import { byRole, type Role } from '../variables/roles.ts';
+import { type GltfExtras, isTexture, semanticFor } from './gltf-variables.ts';
 import { localOrigin } from './local-origin.ts';
+import { upsideDown } from './texture-direction.ts';
 
 const types = new Map<number, 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4'>([
   [1, 'SCALAR'],
@@ -13,9 +15,10 @@ const types = new Map<number, 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4'>([
 ]);
 
 /**
- * Writes a GLB file in single precision; a surface far from the origin is moved near to it, and its node back (in doubles). `normal`, `color` and `uv` take the places that glTF has for them if their values
- * fit; all else becomes attributes `_NAME`, with name, unit and component names in the extras. A variable of more than four
- * components becomes an attribute for each.
+ * Writes a GLB file in single precision; a surface far from the origin is moved near to it, and its node back (in doubles).
+ * Normals, colours and texture coordinates take the places that glTF has for them if their values fit; all else becomes
+ * attributes `_NAME`. Names, units and component names stand in the extras. A variable of more than four components becomes
+ * an attribute for each.
  */
 export async function writeGlb(mesh: Mesh, options: WriteOptions = {}): Promise<Uint8Array> {
   const document = emptyDocument();
@@ -62,7 +65,8 @@ export function addNode(document: Document, mesh: Mesh, options: WriteOptions): 
     Object.keys(unit).length > 0 ? { name: 'position', ...unit } : undefined,
   );
   const used = new Set(['POSITION']);
-  for (const variable of mesh.variables) addVariable(variable, used, options, add);
+  const roles = new Map([...byRole(mesh.variables, options)].map(([role, variable]) => [variable, role]));
+  for (const variable of mesh.variables) addVariable(variable, roles.get(variable), used, options, add);
   primitive.setIndices(document.createAccessor().setBuffer(buffer).setType('SCALAR').setArray(indicesOf(mesh)));
   const node = document.createNode().setMesh(document.createMesh().addPrimitive(primitive));
   return origin.some((value) => value !== 0) ? node.setTranslation(origin) : node;
@@ -77,18 +81,30 @@ function labelsOf(name: string, { units = {}, componentNames = {} }: WriteOption
 
 type Add = (semantic: string, values: Float32Array | Uint8Array, components: number, extras: GltfExtras) => void;
 
-function addVariable(variable: Variable, used: Set<string>, options: WriteOptions, add: Add): void {
+function addVariable(
+  variable: Variable,
+  role: Role | undefined,
+  used: Set<string>,
+  options: WriteOptions,
+  add: Add,
+): void {
   const { name, components } = variable;
-  const values = Float32Array.from(variable.values);
   const extras = { name, ...labelsOf(name, options) };
-  const semantic = semanticFor({ ...variable, values });
-  const free = types.has(components) ? unique(semantic, used) : semantic;
+  const semantic = semanticFor({ ...variable, values: Float32Array.from(variable.values) }, role);
+  const free = types.has(components) ? unique(nextOfItsKind(variable, used) ?? semantic, used) : semantic;
+  const values = Float32Array.from(isTexture(free) ? upsideDown(variable.values) : variable.values);
   const isBytes = /^COLOR_\d+$/.test(free) && isByteColour(variable);
   if (types.has(components)) add(free, isBytes ? Uint8Array.from(values) : values, components, extras);
   for (let component = 0; !types.has(components) && component < components; component++) {
     const part = values.filter((_, i) => i % components === component);
     add(unique(`${semantic}_${component}`, used), part, 1, { ...extras, component });
   }
+}
+
+/** Further texture coordinates, as they were read: glTF numbers them without a gap. */
+function nextOfItsKind({ name, components }: Variable, used: Set<string>): string | undefined {
+  const number = components === 2 ? Number(/^uv_([1-9]\d*)$/.exec(name)?.[1]) : Number.NaN;
+  return used.has(`TEXCOORD_${number - 1}`) ? `TEXCOORD_${number}` : undefined;
 }
 
 function unique(semantic: string, used: Set<string>): string {

@@ -1,6 +1,7 @@
 import { FormatError } from '../format-error.ts';
 import { type Labels, noLabels } from '../surface.ts';
 import { grouped, quoted } from '../text/wording.ts';
+import { roleSpelled } from '../variables/roles.ts';
 import type { PointArray } from '../vtk-data/vtk-pieces.ts';
 import { isFloat, wholeTypeOf } from '../vtk-data/vtk-values.ts';
 import { decodeName, type LegacyVtkText } from './legacy-vtk-text.ts';
@@ -16,9 +17,6 @@ const fixedAttributes = new Map([
   ['PEDIGREE_IDS', 1],
   ['EDGE_FLAGS', 1],
 ]);
-
-/** Attributes that tell things apart. */
-const idAttributes = new Set(['GLOBAL_IDS', 'PEDIGREE_IDS']);
 
 /** Arrays are read alike for points (kept), for cells (kept if they can be labels) and for the whole file (only their names are). */
 export interface Attributes {
@@ -50,7 +48,7 @@ export function readAttribute(
   if (keyword === 'COLOR_SCALARS') readColours(shape, text, attributes, labels);
   else {
     const array = readArray({ ...shape, type }, text, attributes, labels);
-    array.identifier = idAttributes.has(keyword);
+    array.role = roleSpelled('vtk', keyword);
   }
 }
 
@@ -62,6 +60,7 @@ function readColours(
   labels: Labels,
 ): void {
   const array = readArray({ ...shape, type: text.binary ? 'unsigned_char' : 'float' }, text, attributes, labels);
+  array.role = 'colour';
   if (text.binary) return;
   array.values = array.values.map((fraction: number) => Math.round(255 * fraction));
   array.integers = true;

@@ -7,12 +7,12 @@ import { counted, grouped, listed, quoted } from '../text/wording.ts';
 import { isGhostArray, withoutGhosts } from '../vtk-data/vtk-ghosts.ts';
 import {
   cellDataAdvice,
+  declaredIn,
   labelsOfTriangles,
   meshOfPieces,
   misfitAmong,
   namedArrays,
   type PointArray,
-  wholeTypesOf,
 } from '../vtk-data/vtk-pieces.ts';
 import { isFloat } from '../vtk-data/vtk-values.ts';
 import { type Attributes, readAttribute, readField, readMetadata } from './legacy-vtk-arrays.ts';
@@ -58,9 +58,8 @@ export function readVtk(bytes: Uint8Array): Surface {
   const piece = withoutGhosts({ prefix: '', position, arrays, polygons, strips }, ghosts, parts.verts + parts.lines);
   const mesh = meshOfPieces([piece], changes);
   const { regions, unfitRegions } = readRegions(parts, piece.polygons);
-  const wholeTypes = wholeTypesOf([piece], mesh.variables);
   const notes = [...lossNotes(parts, regions), ...regionNotes(regions), ...changes, ...cutNotes(bytes, text, points)];
-  return { mesh, notes, ...labels, wholeTypes, regions, unfitRegions };
+  return { mesh, notes, ...labels, ...declaredIn([piece], mesh.variables), regions, unfitRegions };
 }
 
 /** Cell data of one whole number a cell, as labels of the triangles; of files without strips, whose triangles follow the cells. */

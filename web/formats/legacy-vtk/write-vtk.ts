@@ -1,6 +1,8 @@
 import type { Mesh, Variable } from '../../../wasm/types.ts';
 import { labelArrays } from '../regions/label-arrays.ts';
 import type { WriteOptions } from '../surface.ts';
+import { isByteColour } from '../variables/colours.ts';
+import { byRole, type Role, spellings } from '../variables/roles.ts';
 import { asWhole, type WholeArray, wholeTypeIn } from '../variables/whole-numbers.ts';
 import type { WholeType } from '../variables/whole-types.ts';
 import { encodeName } from './legacy-vtk-text.ts';
@@ -8,8 +10,9 @@ import { encodeName } from './legacy-vtk-text.ts';
 const cornerCount = 3;
 
 /**
- * Writes a legacy VTK file, binary, version 4.2, which every VTK reads. All variables are arrays of one FIELD, so that any
- * number of components and both precisions come back bit for bit; units and component names go to METADATA.
+ * Writes a legacy VTK file, binary, version 4.2, which every VTK reads. Variables are arrays of a FIELD, so that any number of
+ * components and both precisions come back bit for bit, but for normals, texture coordinates, ids and colours of bytes, which
+ * have keywords of their own; units and component names go to METADATA.
  */
 export function writeVtk(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   const points = mesh.position.length / 3;
@@ -22,18 +25,48 @@ export function writeVtk(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
     `\n${metadata(position, options)}POLYGONS ${triangles} ${triangles * (cornerCount + 1)}\n`,
     cellLists(mesh.triangles),
     ...labelChunks(mesh, options),
-    mesh.variables.length > 0 ? `\nPOINT_DATA ${points}\nFIELD FieldData ${mesh.variables.length}\n` : '\n',
+    mesh.variables.length > 0 ? `\nPOINT_DATA ${points}\n` : '\n',
+    ...pointChunks(mesh, options),
   ];
-  for (const variable of mesh.variables) {
+  return joined(chunks);
+}
+
+/** The variables in their order: those with keywords of their own, and the others in FIELDs between them. */
+function pointChunks({ variables, position }: Mesh, options: WriteOptions): Chunk[] {
+  const points = position.length / 3;
+  const keywords = keywordsOf(variables, options);
+  return variables.flatMap((variable, i) => {
     const { name, components, values } = variable;
     const whole = wholeTypeIn('vtk', variable, options);
-    chunks.push(
-      `${encodeName(name)} ${components} ${points} ${whole ? wholeNames[whole] : typeOf(values)}\n`,
-      whole ? asWhole(values, whole) : values,
-      `\n${metadata(variable, options)}`,
-    );
-  }
-  return joined(chunks);
+    const type = whole ? wholeNames[whole] : typeOf(values);
+    const keyword = keywords.get(variable);
+    const next = variables.findIndex((other, at) => at > i && keywords.has(other));
+    const first = i === 0 || keywords.has(variables[i - 1]);
+    const field = first ? `FIELD FieldData ${(next < 0 ? variables.length : next) - i}\n` : '';
+    const head = keyword?.(encodeName(name), type) ?? `${field}${encodeName(name)} ${components} ${points} ${type}`;
+    return [`${head}\n`, whole ? asWhole(values, whole) : values, `\n${metadata(variable, options)}`];
+  });
+}
+
+type Head = (name: string, type: string) => string;
+
+/** How the arrays begin that have a keyword. */
+function keywordsOf(variables: Variable[], options: WriteOptions): Map<Variable, Head> {
+  const heads = [...byRole(variables, options)].flatMap(([role, variable]): [Variable, Head][] => {
+    const head = headOf(role, variable, options);
+    return head ? [[variable, head]] : [];
+  });
+  return new Map(heads);
+}
+
+function headOf(role: Role, variable: Variable, options: WriteOptions): Head | undefined {
+  const keyword = spellings[role].vtk;
+  const { components } = variable;
+  if (role === 'textureCoordinates') return (name, type) => `${keyword} ${name} ${components} ${type}`;
+  if (role !== 'colour') return (name, type) => `${keyword} ${name} ${type}`;
+  // They are bytes there, and VTK expects no METADATA behind them.
+  const isPlain = isByteColour(variable) && metadata(variable, options) === '';
+  return isPlain ? (name) => `${keyword} ${name} ${components}` : undefined;
 }
 
 /** Labels of the triangles, as cell data. */

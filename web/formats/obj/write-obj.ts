@@ -1,28 +1,33 @@
 import type { Mesh, Variable } from '../../../wasm/types.ts';
 import { labelArrays } from '../regions/label-arrays.ts';
 import type { WriteOptions } from '../surface.ts';
-import { asFractions, isColour } from '../variables/colours.ts';
+import { asFractions } from '../variables/colours.ts';
+import { byRole } from '../variables/roles.ts';
 
-/** The variables that OBJ has a place for. */
-function heldIn({ variables }: Mesh): Record<'color' | 'uv' | 'normal', Variable | undefined> {
-  const called = (wanted: string, size: number) =>
-    variables.find(({ name, components }) => name === wanted && components === size);
-  const colour = variables.find((each) => each.components === 3 && isColour(each));
-  return { color: called('color', 3) ?? colour, uv: called('uv', 2), normal: called('normal', 3) };
+/** The variables that OBJ has a place for; of colours it knows no opacity. */
+function heldIn({ variables }: Mesh, options: WriteOptions): Record<'colour' | 'uv' | 'normal', Variable | undefined> {
+  const held = byRole(variables, options);
+  const opaque = variables.filter(({ components }) => components === 3);
+  return {
+    colour: byRole(opaque, options).get('colour'),
+    uv: held.get('textureCoordinates'),
+    normal: held.get('normal'),
+  };
 }
 
 /** The variables that an OBJ file cannot hold. */
-export function lostInObj(mesh: Mesh): Variable[] {
-  return mesh.variables.filter((each) => !Object.values(heldIn(mesh)).includes(each));
+export function lostInObj(mesh: Mesh, options: WriteOptions = {}): Variable[] {
+  const held = Object.values(heldIn(mesh, options));
+  return mesh.variables.filter((each) => !held.includes(each));
 }
 
 /**
- * Writes an OBJ file, in the shortest digits that give every number back. Of the variables it holds `color`, `uv` and
- * `normal` only: ask lostInObj. Labels of triangles become materials where they have names.
+ * Writes an OBJ file, in the shortest digits that give every number back. Of the variables it holds colours, texture
+ * coordinates and normals only: ask lostInObj. Labels of triangles become materials where they have names.
  */
 export function writeObj(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
-  const { color, uv, normal } = heldIn(mesh);
-  const fractions = color && asFractions(color);
+  const { colour, uv, normal } = heldIn(mesh, options);
+  const fractions = colour && asFractions(colour);
   const lines = ['# written by Meshbound'];
   const points = mesh.position.length / 3;
   const row = (values: ArrayLike<number>, components: number, point: number) =>

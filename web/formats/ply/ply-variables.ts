@@ -1,4 +1,4 @@
-import { isColour } from '../variables/colours.ts';
+import { nameOf, type Role, spellings } from '../variables/roles.ts';
 
 /** A variable and the properties that hold its components, in their order. */
 export interface PlyVariable {
@@ -6,11 +6,11 @@ export interface PlyVariable {
   properties: string[];
 }
 
-const fixedGroups: PlyVariable[] = [
-  { name: 'normal', properties: ['nx', 'ny', 'nz'] },
-  { name: 'color', properties: ['red', 'green', 'blue', 'alpha'] },
-  { name: 'color', properties: ['red', 'green', 'blue'] },
-];
+const fixedGroups: PlyVariable[] = (Object.keys(spellings) as Role[]).flatMap((role) =>
+  (spellings[role].ply ?? []).map((properties) => ({ name: nameOf(role), properties: [...properties] })),
+);
+/** Properties that may be texture coordinates as well as two quantities, as s and t; what beside them says that they are none. */
+const otherwise = new Map([['u', 'w']]);
 const axes = ['x', 'y', 'z'];
 
 /**
@@ -23,7 +23,8 @@ export function groupProperties(properties: string[], comments: string[] = []): 
   const groups = declaredGroups(comments).filter((group) => take(group, free));
   const taken = new Set(groups.map(({ name }) => name));
   for (const group of [...fixedGroups, ...suffixGroups(properties)]) {
-    if (free.has(group.name) || taken.has(group.name) || !take(group, free)) continue;
+    const isOther = free.has(otherwise.get(group.properties[0]) ?? '');
+    if (isOther || free.has(group.name) || taken.has(group.name) || !take(group, free)) continue;
     groups.push(group);
     taken.add(group.name);
   }
@@ -110,14 +111,10 @@ function parseJson(text: string): unknown {
   }
 }
 
-/** The names of the properties that hold a variable of a mesh, before they are made unique. */
-export function propertyNames(name: string, components: number): string[] {
-  const fixed = fixedGroups.find(
-    (group) =>
-      (group.name === name || (group.name === 'color' && isColour({ name, components }))) &&
-      group.properties.length === components,
-  );
-  if (fixed) return fixed.properties;
+/** The names of the properties that hold a variable of a mesh, before they are made unique; `role` is that whose place it takes. */
+export function propertyNames(name: string, components: number, role?: Role): readonly string[] {
+  const fixed = role && spellings[role].ply?.find((properties) => properties.length === components);
+  if (fixed) return fixed;
   if (components === 1) return [name];
   const suffixes = components === axes.length ? axes : Array.from({ length: components }, (_, index) => String(index));
   return suffixes.map((suffix) => `${name}_${suffix}`);

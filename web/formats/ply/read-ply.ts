@@ -9,6 +9,7 @@ import { undecoded } from '../text/utf8-text.ts';
 import { capitalised, counted, grouped, listed, quoted } from '../text/wording.ts';
 import { withKinds } from '../variables/identifiers.ts';
 import { asFloatingPoint } from '../variables/precision.ts';
+import { nameOf } from '../variables/roles.ts';
 import { isWholeType, type WholeType } from '../variables/whole-types.ts';
 import { labelsOfTriangles, misfitAmong } from '../vtk-data/vtk-pieces.ts';
 import {
@@ -147,7 +148,7 @@ function readVertices(element: PlyElement, comments: string[], values: PlyValues
     integers ? { ...variable, values: asFloatingPoint(variable.values) } : variable,
   );
   const [{ values: position }, ...variables] = finished;
-  return { position, variables, notes: vertexNotes(element) };
+  return { position, variables, notes: [...vertexNotes(element), ...guessNotes(groups)] };
 }
 
 /** Room for one variable: single precision if the file has it in single precision, else double until all values are known. */
@@ -180,6 +181,19 @@ function vertexNotes(element: PlyElement): string[] {
   const lists = element.properties.filter((property) => property.listLength).map((property) => property.name);
   if (lists.length > 0) notes.push(`Not carried: the vertex lists ${listed(lists)}.`);
   return notes;
+}
+
+/** Says which properties of one letter were taken for texture coordinates: they may be something else. */
+function guessNotes(groups: PlyVariable[]): string[] {
+  const guessed = groups.filter(({ name, properties }) => name === nameOf('textureCoordinates') && isGuess(properties));
+  return guessed.map(
+    ({ name, properties }) =>
+      `Taken for texture coordinates, as the variable ${quoted(name)}: the properties ${listed(properties)}.`,
+  );
+}
+
+function isGuess(properties: string[]): boolean {
+  return properties.every((property) => property.length === 1);
 }
 
 interface Faces {

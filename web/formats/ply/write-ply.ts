@@ -2,6 +2,7 @@ import type { Mesh, Variable } from '../../../wasm/types.ts';
 import { FormatError } from '../format-error.ts';
 import { labelArrays } from '../regions/label-arrays.ts';
 import type { WriteOptions } from '../surface.ts';
+import { byRole } from '../variables/roles.ts';
 import { wholeTypeIn } from '../variables/whole-numbers.ts';
 import type { WholeType } from '../variables/whole-types.ts';
 import { groupProperties, type PlyVariable, propertyNames } from './ply-variables.ts';
@@ -60,7 +61,7 @@ const labelSize = 4;
  */
 export function writePly(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   const encoding = options.encoding ?? 'binary_little_endian';
-  const groups = nameProperties(mesh.variables);
+  const groups = nameProperties(mesh.variables, options);
   const columns = vertexColumns(mesh, groups, options);
   const labels = labelColumns(mesh, options);
   const header = headerText(mesh, groups, columns, labels, encoding, options);
@@ -68,10 +69,14 @@ export function writePly(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   return binaryFile(new TextEncoder().encode(header), mesh, columns, labels, encoding === 'binary_little_endian');
 }
 
-function nameProperties(variables: Variable[]): PlyVariable[] {
+function nameProperties(variables: Variable[], options: WriteOptions): PlyVariable[] {
   const used = new Set(['x', 'y', 'z']);
-  return variables.map(({ name, components }) => {
-    const properties = propertyNames(wordOf(name), components).map((property) => unique(property, used));
+  const roles = new Map([...byRole(variables, options)].map(([role, variable]) => [variable, role]));
+  return variables.map((variable) => {
+    const { name, components } = variable;
+    const properties = propertyNames(wordOf(name), components, roles.get(variable)).map((property) =>
+      unique(property, used),
+    );
     return { name, properties };
   });
 }

@@ -1,26 +1,20 @@
 import type { Variable } from '../../../wasm/types.ts';
+import { roleOf } from './roles.ts';
 
 // A colour keeps the numbers of its file, 0…255 where that has bytes, so that a bound means the same whichever of the formats
 // it came from: uchar in PLY and VTK, normalised bytes in glTF, 255ths from 0 to 1 in OBJ. Fractions stay fractions.
-
-/** What colours are called: in what this project reads, and in VTK. */
-const colourNames: ReadonlySet<string> = new Set(['color', 'rgb', 'rgba', 'colors']);
 
 const brightest = 255;
 
 /** OBJ files have 255ths with some digits; so far from one a number is another. */
 const digitsLost = 1e-3;
 
-export function isColour({ name, components }: Pick<Variable, 'name' | 'components'>): boolean {
-  return colourNames.has(name.toLowerCase()) && (components === 3 || components === 4);
-}
-
 /** Whether this is a colour of bytes. Zeros and ones alone are fractions. */
 export function isByteColour(variable: Variable): boolean {
   const isByte = (value: number) =>
     value >= 0 && value <= brightest && Number.isInteger(value) && !Object.is(value, -0);
   const { values } = variable;
-  return isColour(variable) && values.every(isByte) && values.some((value: number) => value > 1);
+  return roleOf(variable) === 'colour' && values.every(isByte) && values.some((value: number) => value > 1);
 }
 
 /** A colour as fractions, as OBJ has them. */

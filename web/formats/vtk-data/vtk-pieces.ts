@@ -2,9 +2,11 @@ import type { Mesh, Variable } from '../../../wasm/types.ts';
 import { joined } from '../bytes/joined-arrays.ts';
 import { type Polygons, polygonNotes, trianglesIn, trianglesOfStrips, triangulate } from '../faces/polygons.ts';
 import { FormatError } from '../format-error.ts';
+import type { Labels } from '../surface.ts';
 import { counted, grouped, listed } from '../text/wording.ts';
 import { withKinds } from '../variables/identifiers.ts';
 import { asFloatingPoint } from '../variables/precision.ts';
+import { identifies, type Role } from '../variables/roles.ts';
 import type { WholeType } from '../variables/whole-types.ts';
 import { countCells, type Ghosts, ghostNotes } from './vtk-ghost-counts.ts';
 import type { VtkValues } from './vtk-values.ts';
@@ -18,8 +20,8 @@ export interface PointArray {
   integers: boolean;
   /** Their type, where it is one of writable whole numbers. */
   wholeType?: WholeType;
-  /** The file declares that these are ids. */
-  identifier?: boolean;
+  /** What the file declares it to be. */
+  role?: Role;
 }
 
 /** What to do where values belong to cells: nothing here can tell what they would be at the points. */
@@ -50,21 +52,33 @@ export function meshOfPieces(pieces: Piece[], notes: string[]): Mesh {
     joinedArrays,
     triangles,
     all(({ integers }) => integers),
-    all(({ identifier }) => identifier),
+    all(({ role }) => identifies(role)),
   );
   if (full.length > 1) notes.push(`${counted(full.length, 'piece')} joined.`);
   return { position, triangles, variables };
 }
 
-/** The types of the variables that all pieces hold as whole numbers, and in one type. */
-export function wholeTypesOf(pieces: Piece[], variables: Variable[]): Record<string, WholeType> {
-  const types: Record<string, WholeType> = Object.create(null);
+/** What all pieces say alike of the variables: the types of those that are whole numbers, and what they are declared to be. */
+export function declaredIn(pieces: Piece[], variables: Variable[]): Required<Pick<Labels, 'wholeTypes' | 'roles'>> {
+  return {
+    wholeTypes: saidByAll(pieces, variables, ({ wholeType }) => wholeType),
+    roles: saidByAll(pieces, variables, ({ role }) => role),
+  };
+}
+
+function saidByAll<Said>(
+  pieces: Piece[],
+  variables: Variable[],
+  said: (array: PointArray) => Said | undefined,
+): Record<string, Said> {
+  const found: Record<string, Said> = Object.create(null);
   const full = pieces.filter((piece) => piece.position.values.length > 0);
   for (const { name } of variables) {
-    const [first, ...others] = full.map(({ arrays }) => arrays.find((array) => array.name === name)?.wholeType);
-    if (first && others.every((type) => type === first)) types[name] = first;
+    const arrays = full.map((piece) => piece.arrays.find((array) => array.name === name));
+    const [first, ...others] = arrays.map((array) => array && said(array));
+    if (first !== undefined && others.every((each) => each === first)) found[name] = first;
   }
-  return types;
+  return found;
 }
 
 /** The arrays that a variable can be made of; those without a name of their own are said to be left out. */

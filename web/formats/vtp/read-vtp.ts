@@ -8,18 +8,19 @@ import { FormatError } from '../format-error.ts';
 import { regionNotes } from '../regions/region-notes.ts';
 import { type CellLabels, type Labels, noLabels, type Surface } from '../surface.ts';
 import { counted, listed, quoted } from '../text/wording.ts';
+import { type Role, roleSpelled } from '../variables/roles.ts';
 import { isGhostArray, withoutGhosts } from '../vtk-data/vtk-ghosts.ts';
 import {
   asEnds,
   asIndices,
   cellDataAdvice,
+  declaredIn,
   labelsOfTriangles,
   meshOfPieces,
   misfitAmong,
   namedArrays,
   type Piece,
   type PointArray,
-  wholeTypesOf,
 } from '../vtk-data/vtk-pieces.ts';
 import type { VtkValues } from '../vtk-data/vtk-values.ts';
 import { isVtkType, wholeTypeOf } from '../vtk-data/vtk-values.ts';
@@ -49,7 +50,7 @@ export function readVtp(bytes: Uint8Array): Surface {
   const mesh = meshOfPieces(pieces, changes);
   const { regions, unfitRegions } = readRegions(pieceNodes, pieces, packing);
   const notes = [...notCarried(data, pieceNodes, regions), ...regionNotes(regions), ...changes];
-  const labels = { ...labelsOf(pieceNodes, mesh.variables), wholeTypes: wholeTypesOf(pieces, mesh.variables) };
+  const labels = { ...labelsOf(pieceNodes, mesh.variables), ...declaredIn(pieces, mesh.variables) };
   // Pieces repeat the points where they meet.
   const joinedPieces = pieces.length > 1 ? sealed(weld(mesh), notes) : { mesh, notes };
   return { ...joinedPieces, ...labels, regions, unfitRegions };
@@ -184,10 +185,10 @@ function readPiece(node: XmlNode, packing: VtkPacking, prefix: string, notes: st
   const points = countOf(node, 'NumberOfPoints');
   const position = readPoints(node, points, packing, prefix);
   const named = pointArrays(node).map((array) => ({ array, name: array.attributes.Name ?? '' }));
-  const declared = declaredIds(node);
+  const declared = declaredRoles(node);
   const arrays = namedArrays(named, `${prefix}point data`, notes).map(({ array }) => {
     const read = readPointArray(array, points, packing, prefix);
-    return { ...read, identifier: declared.has(read.name) };
+    return { ...read, role: declared.get(read.name) };
   });
   const polygons = readCells(node, 'Polys', packing, prefix);
   const strips = readCells(node, 'Strips', packing, prefix);
@@ -233,11 +234,11 @@ function pointArrays(piece: XmlNode): XmlNode[] {
   return dataArrays(piece, 'PointData');
 }
 
-/** The arrays that the file declares to be ids. */
-function declaredIds(piece: XmlNode): Set<string | undefined> {
-  return new Set(
-    childrenOf(piece, 'PointData').flatMap(({ attributes }) => [attributes.GlobalIds, attributes.PedigreeIds]),
-  );
+/** What the file declares arrays to be, by their names. */
+function declaredRoles(piece: XmlNode): Map<string, Role> {
+  const attributes = childrenOf(piece, 'PointData').flatMap((node) => Object.entries(node.attributes));
+  const declared = attributes.map(([attribute, name]) => [name, roleSpelled('vtp', attribute)] as const);
+  return new Map(declared.filter((each): each is [string, Role] => each[1] !== undefined));
 }
 
 function readPointArray(node: XmlNode, points: number, packing: VtkPacking, prefix: string): PointArray {

@@ -3,6 +3,7 @@ import { FormatError } from '../format-error.ts';
 import { labelArrays } from '../regions/label-arrays.ts';
 import type { WriteOptions } from '../surface.ts';
 import { quoted } from '../text/wording.ts';
+import { byRole, spellings } from '../variables/roles.ts';
 import { asWhole, type WholeArray, wholeTypeIn } from '../variables/whole-numbers.ts';
 
 // Written by hand, appended raw: vtk.js's writer puts everything through base64 and an XML tree, and takes twenty times as long.
@@ -34,7 +35,7 @@ export function writeVtp(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   const tags = arrays.map((array, index) =>
     tagOf(array, array === position ? 'Points' : array.name, offsets[index], options),
   );
-  const head = new TextEncoder().encode(headText(mesh, tags));
+  const head = new TextEncoder().encode(headText(mesh, tags, declarations(mesh.variables, options)));
   const tail = new TextEncoder().encode('\n  </AppendedData>\n</VTKFile>\n');
   const file = new Uint8Array(head.length + offsets[arrays.length] + tail.length);
   file.set(head);
@@ -76,7 +77,13 @@ function writeArray(file: Uint8Array, at: number, { values }: FileArray): void {
   file.set(new Uint8Array(values.buffer, values.byteOffset, values.byteLength), at + headerSize);
 }
 
-function headText(mesh: Mesh, tags: string[]): string {
+/** Attributes of the point data that say which arrays are normals, texture coordinates, ids. */
+function declarations(variables: Variable[], options: WriteOptions): string {
+  const declared = [...byRole(variables, options)].map(([role, { name }]) => [spellings[role].vtp, name]);
+  return declared.map(([attribute, name]) => (attribute ? ` ${attribute}="${escaped(name ?? '')}"` : '')).join('');
+}
+
+function headText(mesh: Mesh, tags: string[], declared: string): string {
   const [points, triangles] = [mesh.position.length / 3, mesh.triangles.length / 3];
   const [position, connectivity, offsets] = tags.slice(-3);
   const variables = tags.slice(0, mesh.variables.length);
@@ -86,7 +93,7 @@ function headText(mesh: Mesh, tags: string[]): string {
 <VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
   <PolyData>
     <Piece NumberOfPoints="${points}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="${triangles}">
-      <PointData>
+      <PointData${declared}>
 ${variables.join('')}      </PointData>
 ${cellData}      <Points>
 ${position}      </Points>

@@ -1,5 +1,4 @@
 import {
-  type Levels,
   type Mesh,
   type ReduceOptions,
   type Reduction,
@@ -11,7 +10,8 @@ import { originIn } from '../../formats/file-rounding.ts';
 import type { Labels } from '../../formats/surface.ts';
 import { listed } from '../../formats/text/wording.ts';
 import { labelsWithMap, takenMapNames, triangleName, withMap } from '../../formats/variables/map-variables.ts';
-import { boundsForFile, leastMultiplier, reportOfFile } from '../../session/bounds/bounds-for-file.ts';
+import { requireHeld } from '../../formats/write.ts';
+import { boundsForFile, leastMultiplier, reducedWithin } from '../../session/bounds/bounds-for-file.ts';
 import { defectNotes, droppedNotes, featureNotes, nearPartsNotes } from '../../session/report/defect-notes.ts';
 import { reportJson, type Seams } from '../../session/report/report-json.ts';
 import { havePartsWithin } from '../../surface/near-parts.ts';
@@ -118,7 +118,11 @@ async function writeResult(files: StagedFiles, request: Request, surface: Opened
     await files.write(path, bytes);
     notes.push([path, losses]);
   }
-  if (report) await files.write(report, reportJson(reduction.report, options, seamsOf(surface), namesOf(surface)));
+  if (report)
+    await files.write(
+      report,
+      reportJson(reduction.report, options, { seams: seamsOf(surface), names: namesOf(surface) }),
+    );
   const { bound: positionBound } = reduction.report.variables[0];
   return {
     report: reduction.report,
@@ -133,10 +137,10 @@ async function writeLevels(
   files: StagedFiles,
   { outputs, report, options, levels = [] }: Request,
   surface: OpenedSurface,
-  nested: Levels,
+  levelResults: Reduction[],
 ) {
-  const notes = await writeLevelFiles(files, outputs, nested, surface);
-  const reports = nested.levels.map((level, i) => ({
+  const notes = await writeLevelFiles(files, outputs, levelResults, surface);
+  const reports = levelResults.map((level, i) => ({
     file: outputs[i] ?? outputs[0],
     bounds: levels[i],
     report: level.report,
@@ -157,22 +161,20 @@ async function reduceAndWrite(
   const format = outputFormat(output);
   // A part of every bound is the format's: what is promised is promised of the file.
   const least = leastMultiplier(mesh, keeping.boundMultiplier);
-  const [first, ...coarser] = await named(output, async () =>
-    (levels ?? [options.bounds]).map((bounds) => boundsForFile(format, mesh, bounds, least)),
+  const parts = await named(output, async () => {
+    await requireHeld(format, mesh, surface);
+    return (levels ?? [options.bounds]).map((bounds) => boundsForFile(format, mesh, bounds, least, surface));
+  });
+  const reduced = await named(output, () =>
+    reducedWithin(format, parts, least, (bounds) =>
+      callCore(surface, request, signal, async (settings) => {
+        if (!levels) return [await reduceMesh(mesh, { ...settings, bounds: bounds[0] })];
+        return (await reduceLevels(mesh, { ...settings, levels: bounds })).levels;
+      }),
+    ),
   );
-  const origin = originIn(format, mesh);
-  if (!levels) {
-    const call = (settings: Omit<ReduceOptions, 'bounds'>) => reduceMesh(mesh, { ...settings, bounds: first.bounds });
-    const reduction = await callCore(surface, request, signal, call);
-    const report = reportOfFile(reduction.report, first, least);
-    return writeResult(files, request, { ...surface, origin }, { ...reduction, report });
-  }
-  const parts = [first, ...coarser];
-  const call = (settings: Omit<ReduceOptions, 'bounds'>) =>
-    reduceLevels(mesh, { ...settings, levels: parts.map(({ bounds }) => bounds) });
-  const nested = await callCore(surface, request, signal, call);
-  const reported = nested.levels.map((level, i) => ({ ...level, report: reportOfFile(level.report, parts[i], least) }));
-  return writeLevels(files, request, { ...surface, origin }, { ...nested, levels: reported });
+  const placed = { ...surface, origin: originIn(format, mesh) };
+  return levels ? writeLevels(files, request, placed, reduced) : writeResult(files, request, placed, reduced[0]);
 }
 
 /** Whether nothing that was asked for keeps near parts from piercing each other. */

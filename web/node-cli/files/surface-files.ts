@@ -58,6 +58,7 @@ export function encodeSurface(
     componentNames,
     regionNames,
     wholeTypes,
+    roles,
     regionName,
     cellData,
     origin,
@@ -65,7 +66,7 @@ export function encodeSurface(
 ): Promise<{ bytes: Uint8Array; losses: string[] }> {
   const format = outputFormat(path);
   const gzip = /\.gz$/i.test(path);
-  const labels = { units, componentNames, regionNames, wholeTypes, regionName, cellData };
+  const labels = { units, componentNames, regionNames, wholeTypes, roles, regionName, cellData };
   return named(path, async () => ({
     bytes: await writeSurface(format, mesh, { ...labels, gzip, origin }),
     losses: await lossesOf(format, mesh, { ...labels, origin }),

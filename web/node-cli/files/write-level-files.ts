@@ -1,4 +1,4 @@
-import type { Levels } from '../../../wasm/index.ts';
+import type { Reduction } from '../../../wasm/index.ts';
 import { lossesOf, writeLevels } from '../../formats/write.ts';
 import type { StagedFiles } from './staged-files.ts';
 import { encodeSurface, named, type OpenedSurface } from './surface-files.ts';
@@ -10,11 +10,10 @@ export type FileNotes = [path: string, notes: string[]];
 export async function writeLevelFiles(
   files: StagedFiles,
   paths: string[],
-  nested: Levels,
+  levels: Reduction[],
   surface: OpenedSurface,
 ): Promise<FileNotes[]> {
-  const { levels } = nested;
-  if (paths.length < levels.length) return [await writeTogether(files, paths[0], nested, surface)];
+  if (paths.length < levels.length) return [await writeTogether(files, paths[0], levels, surface)];
   const notes: FileNotes[] = [];
   for (const [i, path] of paths.entries()) {
     const { bytes, losses } = await encodeSurface(path, levels[i].mesh, surface);
@@ -27,11 +26,11 @@ export async function writeLevelFiles(
 async function writeTogether(
   files: StagedFiles,
   path: string,
-  levels: Levels,
-  { units, componentNames, origin }: OpenedSurface,
+  levels: Reduction[],
+  { units, componentNames, roles, origin }: OpenedSurface,
 ): Promise<FileNotes> {
   const gzip = /\.gz$/i.test(path);
-  const bytes = await named(path, () => writeLevels(levels, { units, componentNames, gzip, origin }));
+  const bytes = await named(path, () => writeLevels(levels, { units, componentNames, roles, gzip, origin }));
   await files.write(path, bytes);
-  return [path, await lossesOf('glb', levels.levels[0].mesh, { origin })];
+  return [path, await lossesOf('glb', levels[0].mesh, { roles, origin })];
 }

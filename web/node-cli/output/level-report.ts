@@ -15,10 +15,9 @@ export interface LevelReport {
 
 /** What `--report` writes of levels: for each what it writes of one, and its file; documented in docs/command-line.md. */
 export function levelsJson(levels: LevelReport[], options: ReportOptions, seams: Seams, names?: RegionNames): string {
-  const entries = levels.map(({ file, bounds, report }) => ({
-    file,
-    ...JSON.parse(reportJson(report, { ...options, bounds }, seams, names)),
-  }));
+  const entries = levels.map(({ file, bounds, report }) =>
+    JSON.parse(reportJson(report, { ...options, bounds }, { seams, names, file })),
+  );
   return `${JSON.stringify({ levels: entries }, undefined, 2)}\n`;
 }
 

@@ -9,7 +9,7 @@ type Files = NamedFile & { beside: NamedFile[]; options: ReadOptions };
 
 addEventListener('message', async ({ data }: MessageEvent<Files>) => {
   try {
-    const { mesh, locked, regions, notes, units, componentNames, regionNames, wholeTypes } = await readTogether(
+    const { mesh, locked, regions, notes, units, componentNames, regionNames, wholeTypes, roles } = await readTogether(
       data.name,
       data.bytes,
       data.beside,
@@ -20,7 +20,7 @@ addEventListener('message', async ({ data }: MessageEvent<Files>) => {
       locked,
       regions,
       notes: withoutRegionNotes(notes, regions),
-      labels: { units, componentNames, regionNames, wholeTypes },
+      labels: { units, componentNames, regionNames, wholeTypes, roles },
     };
     postMessage({ file } satisfies ReadAnswer, { transfer: buffersOf(file) });
   } catch (error) {

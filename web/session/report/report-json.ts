@@ -32,16 +32,22 @@ export interface Seams {
   touching: number;
 }
 
+/** What is known beside the report, where it is. */
+export interface ReportSurroundings {
+  seams?: Seams;
+  /** What the labels of regions stand for. */
+  names?: ReadonlyMap<number, string>;
+  /** The file whose errors these are; errors are those in memory where there is none. */
+  file?: string;
+}
+
 /**
  * The report as a file; its shape is documented in docs/command-line.md and stable.
- *
- * @param names what the labels of regions stand for, where the file says so
  */
 export function reportJson(
   report: Report,
   options: ReportOptions,
-  seams?: Seams,
-  names?: ReadonlyMap<number, string>,
+  { seams, names, file }: ReportSurroundings = {},
 ): string {
   const {
     triangles,
@@ -83,6 +89,7 @@ export function reportJson(
   const regions = report.regions.map(({ label, ...rest }) => ({ label, name: names?.get(label), ...rest }));
   const vanishedRegions = regions.filter((region) => region.triangles.after === 0).map(({ label }) => label);
   const facts = {
+    file,
     triangles,
     defects: { flippedTriangles, unorientableComponents, copiedTriangles, twoSidedTriangles },
     nonManifoldVertices,
