@@ -117,8 +117,7 @@ Verdict::Answer Verdict::sample_beyond(const verification::JointSurface& from, c
     if (foot.nearest.distance <= limit) return std::nullopt;
     const auto [distance, u, v] = foot.nearest;
     place(to, foot.triangle, {1 - u - v, u, v}, foot_point);
-    std::size_t farthest = 0;
-    metric.between(point.data(), foot_point.data(), &farthest);
+    const std::size_t farthest = metric.farthest_variable(point.data(), foot_point.data());
     return space.variables[farthest];
 }
 

@@ -32,8 +32,7 @@ double multiplier_at(const JointSurface& surface, std::uint32_t triangle, const 
 
 FarthestSample::FarthestSample(const JointSurface& from, const JointSurface& to, const JointSpace& space)
     : from_(from), to_(to), space_(space), tree_(to, space), metric_(space.components),
-      point_(static_cast<std::size_t>(space.dimensions())), foot_point_(point_.size()),
-      distances_(space.variables.size()) {}
+      point_(static_cast<std::size_t>(space.dimensions())), foot_point_(point_.size()) {}
 
 const Deviation& FarthestSample::find(std::size_t samples, ShareOfWork share, ProgressReporter& reporter) {
     const double whole = static_cast<double>(from_.triangles.size());
@@ -63,9 +62,7 @@ void FarthestSample::look_at(const Sample& sample) {
 std::size_t FarthestSample::farthest_variable(const Foot& foot) {
     const auto [distance, u, v] = foot.nearest;
     place(to_, foot.triangle, {1 - u - v, u, v}, foot_point_);
-    metric_.between_each(point_.data(), foot_point_.data(), distances_);
-    const auto farthest = std::max_element(distances_.begin(), distances_.end()) - distances_.begin();
-    return space_.variables[static_cast<std::size_t>(farthest)];
+    return space_.variables[metric_.farthest_variable(point_.data(), foot_point_.data())];
 }
 
 } // namespace meshbound::verification

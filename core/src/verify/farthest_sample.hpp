@@ -34,7 +34,7 @@ private:
     const JointSpace& space_;
     JointTree tree_;
     JointDistance metric_;
-    std::vector<double> point_, foot_point_, distances_;
+    std::vector<double> point_, foot_point_;
     Deviation worst_;
     std::uint32_t last_ = 0; ///< neighbouring samples mostly end on the same triangle
 };

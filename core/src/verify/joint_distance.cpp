@@ -52,12 +52,18 @@ double JointDistance::between(const double* p, const double* q) const {
     return std::sqrt(worst);
 }
 
-void JointDistance::between_each(const double* p, const double* q, std::vector<double>& distances) const {
+std::size_t JointDistance::farthest_variable(const double* p, const double* q) const {
+    double worst = 0;
+    std::size_t farthest = 0;
     for (std::size_t g = 0; g < components_.size(); ++g) {
-        distances[g] = std::sqrt(squared_length(p, q, components_[g]));
+        if (const double square = squared_length(p, q, components_[g]); square > worst) {
+            worst = square;
+            farthest = g;
+        }
         p += components_[g];
         q += components_[g];
     }
+    return farthest;
 }
 
 double JointDistance::Quadratic::rounding(Offset p) const {

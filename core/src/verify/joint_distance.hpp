@@ -28,8 +28,8 @@ public:
     /// The distance of two points.
     double between(const double* p, const double* q) const;
 
-    /// Their distances in each variable, in the order of `components`.
-    void between_each(const double* p, const double* q, std::vector<double>& distances) const;
+    /// The variable (its place in `components`) in which they are farthest apart; the first of several.
+    std::size_t farthest_variable(const double* p, const double* q) const;
 
     /// The point of the triangle nearest to `q`, within `accuracy`. Any point no farther than `enough` ends the search.
     /// A triangle that is certainly farther than `cutoff` gives an infinite distance. Where b and c are one row the triangle is
