@@ -89,7 +89,7 @@ export function segment(
 }
 
 /**
- * Judges a reduced surface, whoever made it, by what anyone can see of it: by a judge that shares nothing with what reduces, in
+ * Judges a reduced surface, whoever made it, by what anyone can see of it: by a judge that uses nothing that reduces, in
  * a WebAssembly module of its own, which is loaded by the first call. Both surfaces are taken as they are in the joint space of
  * position and variables; from many points of each the nearest of the other is looked for, in bounds, and the same of their
  * boundaries. `reduced` has the bounded variables of `original`, in the same order.

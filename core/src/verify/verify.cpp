@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <new>
-#include <utility>
 
 #include "util/out_of_memory.hpp"
 #include "util/progress_reporter.hpp"
@@ -27,7 +26,7 @@ public:
         if (reporter_.poll()) compare_boundaries();
         verdict_.cancelled = reporter_.cancelled();
         reporter_.finish();
-        return std::move(verdict_);
+        return verdict_;
     }
 
 private:

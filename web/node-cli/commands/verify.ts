@@ -22,7 +22,7 @@ const help = `Checks by an independent judge whether a reduced surface keeps the
 
 Usage: meshbound verify ORIGINAL REDUCED --bound NAME=BOUND …
 
-The judge knows nothing of how the surface was reduced, and shares no code with what reduces. It takes both as surfaces in
+The judge knows nothing of how the surface was reduced, and uses nothing that reduces. It takes both as surfaces in
 the space of position and variables together, looks from many points of each for the nearest point of the other, and does
 the same with their boundaries. Distances are given in bounds: 1 is the limit.
 
