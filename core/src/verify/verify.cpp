@@ -1,5 +1,6 @@
 #include "meshbound/verify.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <new>
 
