@@ -674,7 +674,7 @@ test('says how many triangles lie on one another, and reduces both sides of a sh
   const inspected = await folder.run('inspect', 'sheet.ply');
   expect(inspected.stdout).toMatch(/pairs of triangles that are two sides +8\n +copies of other triangles +1\n/);
   const found = JSON.parse((await folder.run('inspect', 'sheet.ply', '--json')).stdout);
-  expect(found.coincident).toEqual({ copied: 1, twoSided: 8 });
+  expect(found.defects).toEqual({ copiedTriangles: 1, twoSidedTriangles: 8 });
 });
 
 test('says why little went where it is not the bounds', async () => {

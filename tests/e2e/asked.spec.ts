@@ -26,6 +26,29 @@ test('what is shown after a bound was refused is not passed off as its result', 
   await expect(row).not.toContainText('shown with');
 });
 
+test('a picture of an earlier result says so, and of which', async ({ page }) => {
+  await openPage(page);
+  const upperEdge = () =>
+    page.evaluate(async () => {
+      const app = document.querySelector('meshbound-app') as unknown as { viewer: { toBlob(): Promise<Blob> } };
+      const picture = await createImageBitmap(await app.viewer.toBlob());
+      const canvas = new OffscreenCanvas(picture.width, 20);
+      const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D;
+      context.drawImage(picture, 0, 0);
+      const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+      const first = data.slice(0, 3).join();
+      let others = 0;
+      for (let at = 0; at < data.length; at += 4) if (data.slice(at, at + 3).join() !== first) others++;
+      return others;
+    });
+  expect(await upperEdge()).toBe(0);
+  const field = page.getByLabel('Bound of pressure in percent');
+  await field.fill('1e-9');
+  await field.press('Enter');
+  await expect(sentence(page)).toContainText('refused');
+  expect(await upperEdge()).toBeGreaterThan(200);
+});
+
 test('the same refused bound, asked for twice, has one message', async ({ page }) => {
   await openPage(page);
   const field = page.getByLabel('Bound of pressure in percent');

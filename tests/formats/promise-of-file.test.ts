@@ -7,13 +7,7 @@ import { originIn, roundingsOf } from '../../web/formats/file-rounding.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import type { Format } from '../../web/formats/surface.ts';
 import { lossesOf, writeLevels, writeSurface } from '../../web/formats/write.ts';
-import {
-  boundsForFile,
-  isKept,
-  reducedWithin,
-  reportInFile,
-  reportOfFile,
-} from '../../web/session/bounds/bounds-for-file.ts';
+import { boundsForFile, isKept, reportOfFile } from '../../web/session/bounds/bounds-for-file.ts';
 
 const side = 21;
 

@@ -54,5 +54,8 @@ test.each([
     0,
   ],
 ] as const)('%s', (_, triangles, copied, twoSided) => {
-  expect(count(...triangles.map((each) => [...each]))).toEqual({ copied, twoSided });
+  expect(count(...triangles.map((each) => [...each]))).toEqual({
+    copiedTriangles: copied,
+    twoSidedTriangles: twoSided,
+  });
 });

@@ -116,6 +116,20 @@ describe('opening', () => {
     expect(session.state.opening).toBeNull();
   });
 
+  test('a crack is closed by reading again, with the bounds as they are', async () => {
+    const crack = { note: 'A crack: 2 points.', weld: 1e-6 };
+    const read = vi.fn<Services['read']>(async () => ({ ...fileWith(meshWith('pressure')), crack }));
+    const { session } = setUp({ read });
+    await session.openFile(file('a.ply'));
+    session.setBound('pressure', { fraction: 0.2, free: false });
+    const [notice] = session.state.notices.filter(({ text }) => text === crack.note);
+    expect(notice.remedy?.label).toBe('Join them');
+    notice.remedy?.take();
+    await settled();
+    expect(read.mock.lastCall?.[4]).toEqual({ weld: 1e-6 });
+    expect(session.state.bounds.pressure).toMatchObject({ fraction: 0.2 });
+  });
+
   describe('a variable that is no number somewhere', () => {
     const nonFinite = { vertices: 2, first: 1 };
     const withHoles: Services['inspect'] = async (mesh) => {
@@ -146,6 +160,15 @@ describe('opening', () => {
       expect(session.state.surface?.mesh.variables.map(({ name }) => name)).toEqual(['pressure']);
       expect(texts(session)).toContain('The variable “sst” was left out.');
       expect(texts(session).join()).not.toContain('NaN');
+    });
+
+    test('takes no other bounds with it when it is left out', async () => {
+      const { session, notices } = await opened();
+      session.setBound('pressure', { fraction: 0.2, free: false });
+      notices[0].remedy?.take();
+      await settled();
+      expect(session.state.bounds).toMatchObject({ pressure: { fraction: 0.2, free: false } });
+      expect(session.state.bounds).not.toHaveProperty('sst');
     });
 
     test('is refused by the core where it gets a bound, which is said; without it, all is well again', async () => {

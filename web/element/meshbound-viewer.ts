@@ -124,7 +124,8 @@ export class MeshboundViewer extends ViewerProperties {
     inspect,
     reduce,
     resumeReduction,
-    read: (name, bytes, watchers, beside) => readInWorker(name, bytes, watchers, beside, readOptionsFrom(this.weld)),
+    read: (name, bytes, watchers, beside, options) =>
+      readInWorker(name, bytes, watchers, beside, { ...readOptionsFrom(this.weld), ...options }),
     fetchBytes,
   });
   /** Levels of detail of what the session reached. @internal */
@@ -368,9 +369,18 @@ export class MeshboundViewer extends ViewerProperties {
 
   /** What is seen as a PNG, with the legends or without. Rejects where nothing can be drawn. */
   async toBlob({ legends = true }: { legends?: boolean } = {}): Promise<Blob> {
-    const blob = await this.#stage?.picture({ legends });
+    const blob = await this.#stage?.picture({ legends, note: this.#pictureNote() });
     if (!blob) throw new Error(english.faults.noPicture);
     return blob;
+  }
+
+  /** What a picture must say of itself: that the surface in it is not the answer to what is asked for. */
+  #pictureNote(): string {
+    const { shown, session } = this;
+    if (!shown || !this.#stage?.showsReduced) return '';
+    const bounds = boundsText(asBounds(shown.bounds));
+    if (session.state.provisional) return english.save.provisionalPicture(bounds);
+    return standingOf(session.state) === 'asked' ? '' : english.save.earlierPicture(bounds);
   }
 
   /**

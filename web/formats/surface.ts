@@ -28,6 +28,14 @@ export interface CellLabels {
   unfitRegions: ReadonlyMap<string, string>;
 }
 
+/** Where sheets end beside each other within rounding. */
+export interface Crack {
+  /** A sentence that says where, and how wide. */
+  note: string;
+  /** The weld that closes it, as a fraction of the extent. */
+  weld: number;
+}
+
 /** What a reader hands over. */
 export interface Surface extends Labels, Partial<CellLabels> {
   mesh: Mesh;
@@ -37,6 +45,8 @@ export interface Surface extends Labels, Partial<CellLabels> {
   locked?: Uint32Array;
   /** How many points are on seams, where several lie in one place and are reduced together. */
   seamPoints?: number;
+  /** Its sentence is among the notes, too. */
+  crack?: Crack;
 }
 
 /** Gives the bytes of a file that another one names, by its path relative to that one; throws where there is none. */

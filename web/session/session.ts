@@ -1,13 +1,20 @@
 import type { Inspection, VariableExtent } from '../../wasm/index.ts';
 import { choosableRegionNotes } from '../formats/regions/region-notes.ts';
 import { listed, quoted } from '../formats/text/wording.ts';
-import { type BoundSetting, type BoundSettings, defaultBounds, moveAll, settingsFrom } from './bounds/bound-setting.ts';
+import {
+  type BoundSetting,
+  type BoundSettings,
+  defaultBounds,
+  moveAll,
+  settingsFrom,
+  settingsOf,
+} from './bounds/bound-setting.ts';
 import type { Bounds } from './bounds/bound-text.ts';
 import { type Keeping, sameKeeping } from './constraints/keeping.ts';
 import { type Method, sameMethod } from './constraints/method.ts';
 import { changed, type History, historyOf, redone, settled, undone } from './history.ts';
 import { codeOf, messageOf } from './reading/failure.ts';
-import { fromAddress, fromFile, type Loadable, withoutVariable } from './reading/loadable.ts';
+import { fromAddress, fromFile, type Loadable, welded, withoutVariable } from './reading/loadable.ts';
 import type { Source } from './reading/open-surface.ts';
 import type { OpenedFile } from './reading/read.ts';
 import { Latest, superseded } from './reducing/latest.ts';
@@ -199,7 +206,8 @@ export class Session extends EventTarget {
     this.#update({ notices: this.#state.notices.filter((notice) => notice.id !== id) });
   }
 
-  async #open(source: Loadable): Promise<void> {
+  /** @param again it is the same surface, read otherwise: bounds of variables that it still has stay */
+  async #open(source: Loadable, { again = false } = {}): Promise<void> {
     const { name } = source;
     const tell = (step: Omit<Opening, 'name'>) => this.#update({ opening: { name, ...step } });
     const notices = this.#state.notices.filter(({ lasting }) => lasting);
@@ -211,7 +219,9 @@ export class Session extends EventTarget {
         tell({ phase: 'check', progress: 0 });
         return { file, inspection: await this.#services.inspect(file.mesh, { signal }) };
       });
-      if (inspected !== superseded) this.#adopt(source, inspected.file, inspected.inspection);
+      if (inspected === superseded) return;
+      const before = again ? this.#state.bounds : {};
+      this.#adopt(source, inspected.file, inspected.inspection, before);
     } catch (error) {
       this.#stay();
       this.#notify({ kind: 'error', code: codeOf(error), text: `${source.name}: ${messageOf(error)}` });
@@ -225,13 +235,13 @@ export class Session extends EventTarget {
     if (reduced && !sameKeeping(reduced.keeping, keeping)) this.reduceAgain();
   }
 
-  #adopt(source: Source, file: OpenedFile, { variables, defects }: Inspection): void {
+  #adopt(source: Loadable, file: OpenedFile, { variables, defects }: Inspection, before: BoundSettings): void {
     const { name, address } = source;
     const { mesh, labels, notes, locked, regions } = file;
     this.#reducing.forget();
     this.#mend(namesOfBounds);
     const surface = { name, address, mesh, labels, variables, locked, regions };
-    const bounds = this.#firstBounds(variables);
+    const bounds = { ...this.#firstBounds(variables), ...settingsOf(variables, before) };
     this.#history = historyOf(bounds);
     this.#mix = bounds;
     this.#update({
@@ -246,6 +256,7 @@ export class Session extends EventTarget {
     });
     for (const text of [...notes, ...defectNotes(defects)]) this.#notify({ kind: 'note', text });
     this.#noteNonFinite(source, file, variables);
+    this.#noteCrack(source, file);
     const choosable = choosableRegionNotes(regions, this.#state.keeping.regions);
     for (const text of choosable) this.#notify({ kind: 'note', text, ofRegions: true });
     if (this.#faults.size === 0) void this.#reducing.start();
@@ -260,12 +271,19 @@ export class Session extends EventTarget {
     return settingsFrom(this.#wanted, variables);
   }
 
+  /** A crack can be closed as the surface is read. */
+  #noteCrack(source: Loadable, { crack }: OpenedFile): void {
+    if (!crack) return;
+    const take = () => void this.#open(welded(source, crack.weld), { again: true });
+    this.#notify({ kind: 'note', text: crack.note, remedy: { label: 'Join them', take } });
+  }
+
   /** A variable that can have no bound is free, and may be left out. */
   #noteNonFinite(source: Source, file: OpenedFile, variables: VariableExtent[]): void {
     for (const { name, nonFinite } of variables) {
       if (!nonFinite) continue;
       const text = `${nonFiniteWords(name, nonFinite)}: it can have no bound, and is only carried along.`;
-      const take = () => void this.#open(withoutVariable(source, file, name));
+      const take = () => void this.#open(withoutVariable(source, file, name), { again: true });
       this.#notify({ kind: 'note', text, remedy: { label: `Leave out ${quoted(name)}`, take } });
     }
   }

@@ -1,16 +1,16 @@
 /** How many triangles lie on the three points of another one, as the core counts them. */
 export interface Coincident {
   /** Those that face as an earlier one does. */
-  copied: number;
+  copiedTriangles: number;
   /** Pairs that face opposite ways: two sides of one sheet. */
-  twoSided: number;
+  twoSidedTriangles: number;
 }
 
 /** Of triangles of three distinct points; three indices each. */
 export function coincidentIn(triangles: Uint32Array, points: number): Coincident {
   /** By the two lower points of a triangle and the third one: which ways triangles face there, bit 1 and bit 2. */
   const facing = new Map<number, Map<number, number>>();
-  let [copied, twoSided] = [0, 0];
+  let [copiedTriangles, twoSidedTriangles] = [0, 0];
   for (let corner = 0; corner < triangles.length; corner += 3) {
     const [a, b, c] = triangles.subarray(corner, corner + 3);
     if (a === b || b === c || c === a) continue;
@@ -19,10 +19,10 @@ export function coincidentIn(triangles: Uint32Array, points: number): Coincident
     const key = low * points + middle;
     const here = facing.get(key) ?? new Map<number, number>();
     const before = here.get(high) ?? 0;
-    if (before & way) copied++;
-    else if (before !== 0) twoSided++;
+    if (before & way) copiedTriangles++;
+    else if (before !== 0) twoSidedTriangles++;
     here.set(high, before | way);
     facing.set(key, here);
   }
-  return { copied, twoSided };
+  return { copiedTriangles, twoSidedTriangles };
 }

@@ -122,6 +122,8 @@ export const english = {
   save: {
     again: (format: string, there: string, here: string) =>
       `${format} rounds numbers, so the surface was reduced again: ${there} triangles keep every bound in the file, in place of the ${here} shown.`,
+    earlierPicture: (bounds: string) => `Reduced with the bounds before: ${bounds}`,
+    provisionalPicture: (bounds: string) => `Provisional answer, within ${bounds}`,
     reducing: (percent: number) => `Reducing again for the file… ${percent}${space}%`,
     reducingCancelled: 'Saving was cancelled; no file was written.',
     earlier: (name: string, bounds: string) =>
@@ -150,6 +152,7 @@ export const english = {
     beyondNever: 'beyond: never',
     aboveOneNever: 'above 1: never',
     noBound: 'no bound',
+    noNumber: 'no number',
     share: (name: string, free: boolean) => `error / bound: ${name}${free ? ' (free: no bound)' : ''}`,
     signed: (name: string) => `signed error: ${name}`,
     lowestBound: '−bound',

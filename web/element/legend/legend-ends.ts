@@ -15,7 +15,7 @@ export interface LegendEnd {
 }
 
 /** From left to right: the lowest end, what must never appear, where there is nothing to show, the highest end. */
-export function legendEnds({ ends, bounded, free, beyond }: Meaning): LegendEnd[] {
+export function legendEnds({ ends, bounded, free, missing, beyond }: Meaning): LegendEnd[] {
   const [lowest, highest] = ends ?? [];
   return [
     ...(lowest === undefined ? [] : [{ text: lowest, ...(beyond?.below ? { colour: belowRangeColour } : {}) }]),
@@ -23,6 +23,7 @@ export function legendEnds({ ends, bounded, free, beyond }: Meaning): LegendEnd[
       ? [{ text: ends ? english.legend.beyondNever : english.legend.aboveOneNever, colour: aboveBoundColour }]
       : []),
     ...(free ? [{ text: english.legend.noBound, colour: missingColour }] : []),
+    ...(missing ? [{ text: english.legend.noNumber, colour: missingColour }] : []),
     ...(highest === undefined ? [] : [{ text: highest, ...(beyond?.above ? { colour: aboveRangeColour } : {}) }]),
   ];
 }

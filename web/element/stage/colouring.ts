@@ -35,6 +35,8 @@ export interface Meaning {
   bounded: boolean;
   /** There is nothing to show, because the variable has no bound. */
   free: boolean;
+  /** Somewhere there is nothing to show, because the variable is no number there. */
+  missing?: boolean;
 }
 
 /** Whether one legend can stand for both. */
@@ -50,7 +52,12 @@ export interface Colouring {
 }
 
 /** The values of the chosen variable on `mesh`, over the range that they have on the original surface. */
-export function valueColouring(mesh: Mesh, { mesh: original, labels }: OpenSurface, settings: ViewSettings): Colouring {
+export function valueColouring(
+  mesh: Mesh,
+  { mesh: original, labels, variables }: OpenSurface,
+  settings: ViewSettings,
+): Colouring {
+  const { nonFinite } = variables.find(({ name }) => name === settings.variable) ?? {};
   const whole = fieldRange(chosenField(original, settings), original.triangles);
   const range = shownRange(original, whole, settings);
   return {
@@ -69,6 +76,7 @@ export function valueColouring(mesh: Mesh, { mesh: original, labels }: OpenSurfa
       ],
       bounded: false,
       free: false,
+      ...(nonFinite ? { missing: true } : {}),
     },
   };
 }

@@ -243,7 +243,7 @@ export class Stage extends LitElement {
   }
 
   /** What is to be seen as a PNG, with the legends or without; null where nothing can be drawn. */
-  async picture({ legends }: { legends: boolean }): Promise<Blob | null> {
+  async picture({ legends, note }: { legends: boolean; note: string }): Promise<Blob | null> {
     const drawn = await this.#viewer?.picture();
     if (!drawn) return null;
     const { backgroundColor: background, color: ink } = getComputedStyle(this);
@@ -252,6 +252,7 @@ export class Stage extends LitElement {
       background,
       ink,
       legends: legends ? this.#placedLegends() : [],
+      note,
     });
   }
 

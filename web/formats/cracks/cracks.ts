@@ -18,7 +18,7 @@ export function withCrackNotes(surface: Surface): Surface {
   const note =
     `A crack: ${counted(points, 'point')} where sheets end lie within ${rounding.toExponential()} of the extent of others, ` +
     `but not in one place; it is ${Number(width.toPrecision(3))} wide. A weld of 1e-6 joins it (command line: --weld 1e-6; element: weld=1e-6).`;
-  return { ...surface, notes: [...surface.notes, note] };
+  return { ...surface, notes: [...surface.notes, note], crack: { note, weld: rounding } };
 }
 
 /** Of each point the nearest other one counts. */

@@ -70,7 +70,7 @@ function inspection({ path, format, mesh, units, componentNames, notes, regions,
     vertices,
     unusedVertices: usedPoints(mesh.triangles, vertices).filter((used) => used === 0).length,
     ...topologyOf(mesh.triangles, vertices),
-    coincident: coincidentIn(mesh.triangles, vertices),
+    defects: coincidentIn(mesh.triangles, vertices),
     variables: [position, ...mesh.variables].map(describe),
     cellData: [
       ...[...(regions ?? [])].map(([name, labels]) => ({ name, labels: new Set(labels).size, unfit: null })),
@@ -112,10 +112,10 @@ function discordantRow({ discordantEdges }: Inspection): [string, number][] {
 }
 
 /** Triangles on the same three points: `reduce` takes both sides of a sheet together, and leaves copies out. */
-function coincidentRows({ coincident: { copied, twoSided } }: Inspection): [string, number][] {
+function coincidentRows({ defects: { copiedTriangles, twoSidedTriangles } }: Inspection): [string, number][] {
   const rows: [string, number][] = [
-    ['pairs of triangles that are two sides', twoSided],
-    ['copies of other triangles', copied],
+    ['pairs of triangles that are two sides', twoSidedTriangles],
+    ['copies of other triangles', copiedTriangles],
   ];
   return rows.filter(([, count]) => count > 0);
 }

@@ -20,12 +20,16 @@ export type BoundSettings = Readonly<Record<string, BoundSetting>>;
 const positionFraction = 0.01;
 const variableFraction = 0.03;
 
-export function defaultBounds(variables: readonly (Bounded & Pick<VariableExtent, 'nonFinite'>)[]): BoundSettings {
-  const settings: [string, BoundSetting][] = variables.map(({ name, kind, nonFinite }) => [
+/** What decides whether a variable starts with a bound. */
+type Boundable = Bounded & Pick<VariableExtent, 'nonFinite'> & Partial<Pick<VariableExtent, 'extent'>>;
+
+export function defaultBounds(variables: readonly Boundable[]): BoundSettings {
+  const settings: [string, BoundSetting][] = variables.map(({ name, kind, nonFinite, extent = 0 }) => [
     name,
     {
       fraction: name === 'position' ? positionFraction : variableFraction,
-      free: kind === 'identifier' || nonFinite !== undefined,
+      // Of values farther apart than a double holds no fraction is a bound.
+      free: kind === 'identifier' || nonFinite !== undefined || !Number.isFinite(extent),
     },
   ]);
   // From entries, so that a variable may be called `__proto__`.
@@ -39,10 +43,7 @@ export function sameSetting(one: BoundSetting, other: BoundSetting): boolean {
 }
 
 /** Whether these are the bounds that a surface starts with. */
-export function areFirst(
-  settings: BoundSettings,
-  variables: readonly (Bounded & Pick<VariableExtent, 'nonFinite'>)[],
-): boolean {
+export function areFirst(settings: BoundSettings, variables: readonly Boundable[]): boolean {
   const first = defaultBounds(variables);
   return Object.entries(settings).every(
     ([name, { fraction, absolute, free }]) =>
@@ -66,6 +67,18 @@ export function settingsFrom(bounds: Bounds, variables: readonly VariableExtent[
 export function boundsThatFit(bounds: Bounds, variables: readonly VariableExtent[]): Bounds {
   const free = variables.filter(({ name, nonFinite }) => nonFinite && !Object.hasOwn(bounds, name));
   return Object.fromEntries([...Object.entries(bounds), ...free.map(({ name }): [string, Bound] => [name, 'free'])]);
+}
+
+/** What is asked of those of these variables that there were before; a bound in a unit is the same, whatever the extent is now. */
+export function settingsOf(variables: readonly VariableExtent[], before: BoundSettings): BoundSettings {
+  const kept = variables.filter(({ name, nonFinite }) => Object.hasOwn(before, name) && !nonFinite);
+  return Object.fromEntries(
+    kept.map((variable): [string, BoundSetting] => {
+      const setting = before[variable.name];
+      const { absolute, free } = setting;
+      return [variable.name, absolute === undefined ? setting : { ...inUnit(absolute, variable), free }];
+    }),
+  );
 }
 
 /** A bound in the variable's unit. */

@@ -2,7 +2,7 @@ import type { Mesh } from '../../../wasm/types.ts';
 import { fromAnyHost } from '../../../workers/from-any-host.ts';
 import type { ReadOptions } from '../../formats/read.ts';
 import type { NamedFile } from '../../formats/read-together.ts';
-import type { Labels } from '../../formats/surface.ts';
+import type { Crack, Labels } from '../../formats/surface.ts';
 import type { Watchers } from '../watchers.ts';
 
 /** What a file holds. */
@@ -14,6 +14,8 @@ export interface OpenedFile {
   regions?: ReadonlyMap<string, Int32Array>;
   /** What the reader did to the file that its owner should know. */
   notes: string[];
+  /** Where sheets end beside each other within rounding: what is said of it, and the weld that closes it. */
+  crack?: Crack;
   labels: Labels;
 }
 

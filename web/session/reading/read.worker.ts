@@ -9,17 +9,14 @@ type Files = NamedFile & { beside: NamedFile[]; options: ReadOptions };
 
 addEventListener('message', async ({ data }: MessageEvent<Files>) => {
   try {
-    const { mesh, locked, regions, notes, units, componentNames, regionNames, wholeTypes, roles } = await readTogether(
-      data.name,
-      data.bytes,
-      data.beside,
-      data.options,
-    );
+    const { mesh, locked, regions, notes, units, componentNames, regionNames, wholeTypes, roles, crack } =
+      await readTogether(data.name, data.bytes, data.beside, data.options);
     const file = {
       mesh,
       locked,
       regions,
-      notes: withoutRegionNotes(notes, regions),
+      notes: withoutRegionNotes(notes, regions).filter((note) => note !== crack?.note),
+      crack,
       labels: { units, componentNames, regionNames, wholeTypes, roles },
     };
     postMessage({ file } satisfies ReadAnswer, { transfer: buffersOf(file) });
