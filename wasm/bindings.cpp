@@ -1,14 +1,12 @@
 #include <chrono>
-#include <exception>
-#include <new>
 #include <utility>
 #include <vector>
 
 #include <emscripten/bind.h>
-#include <emscripten/heap.h>
 #include <emscripten/val.h>
 
 #include "from_js.hpp"
+#include "outcome.hpp"
 #include "to_js.hpp"
 
 namespace meshbound::js {
@@ -16,52 +14,6 @@ namespace meshbound::js {
 using emscripten::val;
 
 namespace {
-
-val success(const val& value) {
-    val result = val::object();
-    result.set("ok", true);
-    result.set("value", value);
-    return result;
-}
-
-val failure(const val& fault) {
-    val result = val::object();
-    result.set("ok", false);
-    result.set("failure", fault);
-    return result;
-}
-
-val failure(const Status& status) { return failure(failure_to(status)); }
-
-/// What no documented fault explains: a mistake of this library, not of its caller.
-val internal_failure(const char* message) {
-    val fault = val::object();
-    fault.set("code", "internal");
-    fault.set("message", message);
-    return failure(fault);
-}
-
-/// Runs a call so that no C++ exception ever reaches JavaScript, where it would be a number without a meaning.
-template <class Call>
-val guarded(Call call) {
-    try {
-        return call();
-    } catch (const ShapeError& error) {
-        return failure(error.status);
-    } catch (const std::bad_alloc&) {
-        return failure(
-            {Fault::out_of_memory, "There is not enough memory for this mesh (WebAssembly has 4 GB).", {}, {}});
-    } catch (const std::exception& error) {
-        return internal_failure(error.what());
-    } catch (...) {
-        return internal_failure("An exception of unknown type was thrown.");
-    }
-}
-
-/// `on_progress(progress)` returns whether to go on.
-Progress progress_from(const val& on_progress) {
-    return [&on_progress](double done) { return on_progress(done).as<bool>(); };
-}
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -138,9 +90,6 @@ val inspect_mesh(const val& mesh) {
         return success(inspection_to(input, defects, bounds));
     });
 }
-
-/// In bytes; a number of JavaScript, which a size of 4 GB does not overflow.
-double memory_size() { return static_cast<double>(emscripten_get_heap_size()); }
 
 } // namespace
 

@@ -1,9 +1,17 @@
 import { MeshboundError } from './errors.ts';
 import type { Mesh, SurfaceMap, Variable } from './types.ts';
 
-function checkValues(values: unknown, what: string): void {
+/** Throws a TypeError for values that are in no array of floating-point numbers. */
+export function checkValues(values: unknown, what: string): void {
   if (!(values instanceof Float32Array || values instanceof Float64Array)) {
     throw new TypeError(`The ${what} must be a Float32Array or a Float64Array.`);
+  }
+}
+
+/** The same for what is no plain list of numbers. */
+export function checkNumbers(numbers: unknown, what: string): void {
+  if (!Array.isArray(numbers) || !numbers.every((each) => typeof each === 'number')) {
+    throw new TypeError(`The ${what} must be an array of numbers.`);
   }
 }
 

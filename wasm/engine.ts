@@ -1,4 +1,4 @@
-import { checkMap, checkMesh, checkVertices, copyMap, copyMesh } from './copy-mesh.ts';
+import { checkMap, checkMesh, checkNumbers, checkValues, checkVertices, copyMap, copyMesh } from './copy-mesh.ts';
 import type { Inspection } from './inspection.ts';
 import { TaskQueue } from './task-queue.ts';
 import type {
@@ -10,6 +10,8 @@ import type {
   Reduction,
   ResumeOptions,
   Segmentation,
+  Verdict,
+  VerifyOptions,
 } from './types.ts';
 
 /** How an engine starts its worker, and what that loads. Addresses are relative to the document, in Node to the folder it runs in. */
@@ -18,6 +20,8 @@ export interface EngineSettings {
   workerUrl?: string | URL;
   /** Where the binary of the module lies, if not beside the worker: that of the module without threads. */
   wasmUrl?: string | URL;
+  /** Where the binary of the judge's module lies, if not beside the worker; loaded by the first `verify`. */
+  judgeUrl?: string | URL;
   /** How many threads the worker may share its work with, itself among them, in a page that is isolated from other origins. */
   threads?: number;
 }
@@ -39,8 +43,13 @@ function absolute(address: string | URL | undefined): string | undefined {
 export class Engine {
   private readonly queue: TaskQueue;
 
-  constructor({ workerUrl, wasmUrl, threads }: EngineSettings = {}) {
-    this.queue = new TaskQueue({ workerUrl: absolute(workerUrl), wasmUrl: absolute(wasmUrl), threads });
+  constructor({ workerUrl, wasmUrl, judgeUrl, threads }: EngineSettings = {}) {
+    this.queue = new TaskQueue({
+      workerUrl: absolute(workerUrl),
+      wasmUrl: absolute(wasmUrl),
+      judgeUrl: absolute(judgeUrl),
+      threads,
+    });
   }
 
   /** As the function `reduce`. */
@@ -92,6 +101,21 @@ export class Engine {
       },
     };
     return this.queue.run({ kind: 'segment', input }, { signal });
+  }
+
+  /** As the function `verify`. */
+  async verify(original: Mesh, reduced: Mesh, options: VerifyOptions): Promise<Verdict> {
+    const { signal, onProgress, bounds, multipliers, ...rest } = options;
+    checkMesh(original);
+    checkMesh(reduced);
+    checkNumbers(bounds, 'bounds');
+    if (multipliers) checkValues(multipliers, 'multipliers');
+    const input = {
+      original: copyMesh(original),
+      reduced: copyMesh(reduced),
+      options: { ...rest, bounds: [...bounds], multipliers: multipliers?.slice() },
+    };
+    return this.queue.run({ kind: 'verify', input }, { signal, onProgress });
   }
 
   /** As the function `inspect`. */

@@ -9,6 +9,8 @@ import type {
   Reduction,
   ResumeOptions,
   Segmentation,
+  Verdict,
+  VerifyOptions,
 } from './types.ts';
 
 export { Engine, type EngineSettings } from './engine.ts';
@@ -84,6 +86,21 @@ export function segment(
   options: { signal?: AbortSignal } = {},
 ): Promise<Segmentation> {
   return sharedEngine().segment(mesh, reduction, options);
+}
+
+/**
+ * Judges a reduced surface, whoever made it, by what anyone can see of it: by a judge that uses nothing that reduces, in
+ * a WebAssembly module of its own, which is loaded by the first call. Both surfaces are taken as they are in the joint space of
+ * position and variables; from many points of each the nearest of the other is looked for, in bounds, and the same of their
+ * boundaries. `reduced` has the bounded variables of `original`, in the same order.
+ *
+ * A ratio above 1 + 1e-6 proves that a bound is broken. One up to that proves that every point looked at is within the bounds; it
+ * says nothing of those between them.
+ *
+ * The arrays stay the caller's. Runs and rejects as `reduce` does; the message says which of the meshes is at fault.
+ */
+export function verify(original: Mesh, reduced: Mesh, options: VerifyOptions): Promise<Verdict> {
+  return sharedEngine().verify(original, reduced, options);
 }
 
 /**

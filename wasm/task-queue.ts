@@ -94,13 +94,13 @@ export class TaskQueue {
     this.running = this.waiting.shift();
     if (this.running) {
       const { task, cancel } = this.running;
-      const { wasmUrl, threads } = this.settings;
+      const { wasmUrl, judgeUrl, threads } = this.settings;
       const arrays = transferables(task);
       if (this.holdsTooMuchFor(task, sizeOf(arrays))) {
         this.stopWorker();
       }
       this.worker ??= this.start();
-      this.worker.post({ task, cancel, settings: { wasmUrl, threads } }, arrays);
+      this.worker.post({ task, cancel, settings: { wasmUrl, judgeUrl, threads } }, arrays);
     }
   }
 

@@ -10,6 +10,8 @@ import type {
   Reduction,
   ResumeOptions,
   Segmentation,
+  Verdict,
+  VerifyOptions,
 } from './types.ts';
 
 /** The options that cross to the worker; signal and progress stay with the caller. */
@@ -19,12 +21,15 @@ export type CoreResumeOptions = Omit<ResumeOptions, 'signal' | 'onProgress'>;
 
 export type CoreLevelsOptions = Omit<LevelsOptions, 'signal' | 'onProgress'>;
 
+export type CoreVerifyOptions = Omit<VerifyOptions, 'signal' | 'onProgress'>;
+
 /** What the worker takes for each kind of task, and what that gives when it succeeds. */
 interface Tasks {
   reduce: { input: { mesh: Mesh; options: CoreOptions }; value: Reduction };
   resumeReduction: { input: { checkpoint: Checkpoint; options: CoreResumeOptions }; value: Reduction };
   reduceLevels: { input: { mesh: Mesh; options: CoreLevelsOptions }; value: Levels };
   segment: { input: { mesh: Mesh; reduction: MappedReduction }; value: Segmentation };
+  verify: { input: { original: Mesh; reduced: Mesh; options: CoreVerifyOptions }; value: Verdict };
   inspect: { input: { mesh: Mesh }; value: Inspection };
 }
 

@@ -289,15 +289,4 @@ val inspection_to(const Mesh& mesh, const MeshDefects& defects, const std::vecto
                   field("variables", variables), field("defects", defects_to(defects)));
 }
 
-val failure_to(const Status& status) {
-    val failure = object(field("code", std::string(fault_name(status.fault))), field("message", status.message));
-    if (!status.variable.empty()) {
-        failure.set("variable", status.variable);
-    }
-    if (status.index) {
-        failure.set("index", number(*status.index));
-    }
-    return failure;
-}
-
 } // namespace meshbound::js

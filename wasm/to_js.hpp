@@ -19,7 +19,4 @@ emscripten::val segmentation_to(const Segmentation& segmentation);
 /// An `Inspection` of wasm/inspection.ts. `bounds` has position first, then the mesh's variables.
 emscripten::val inspection_to(const Mesh& mesh, const MeshDefects& defects, const std::vector<ResolvedBound>& bounds);
 
-/// A `Failure` of wasm/messages.ts.
-emscripten::val failure_to(const Status& status);
-
 } // namespace meshbound::js

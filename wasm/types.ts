@@ -326,3 +326,53 @@ export interface Levels {
   /** `morphs[i]` leads to `levels[i]`, from the level before or, i being 0, from the original; empty unless asked for. */
   morphs: Morph[];
 }
+
+/** The bounds of a call of `verify`, and how thoroughly it looks. */
+export interface VerifyOptions {
+  /**
+   * Absolute, in the unit of each variable: that of position first, then one a variable of the original, in their order. Above
+   * zero; Infinity is free. Those of a reduction are `report.variables.map(({ bound }) => bound)`.
+   */
+  bounds: readonly number[];
+  /** How many points of each surface are looked at, more or less; never fewer than its vertices, edges and triangles. Default: 50 000. */
+  samples?: number;
+  /** The same of each boundary. Default: 50 000. */
+  boundarySamples?: number;
+  /** What multiplies all bounds at each vertex of the original: numbers above zero. Default: nothing. */
+  multipliers?: Float32Array | Float64Array;
+  signal?: AbortSignal;
+  /** Called with the progress so far, 0…1, never falling. */
+  onProgress?: (progress: number) => void;
+}
+
+/** The sample of one surface that lies farthest from the other. */
+export interface Deviation {
+  /** Distance in bounds: 1 is the limit. Infinity where there is nothing to be near to. */
+  ratio: number;
+  /** Of the sampled surface, counting those with three distinct vertices; of a boundary the edge. */
+  triangle: number;
+  barycentric: [number, number, number];
+  /** The same point in space, in the user's unit of length. */
+  position: [number, number, number];
+  /** Which variable is farthest there: 0 position, i + 1 the mesh's variable i. */
+  variable: number;
+  /** How many points were looked at. */
+  samples: number;
+}
+
+/** What was found between two surfaces, or two boundaries, both ways. */
+export interface Judgement {
+  fromOriginal: Deviation;
+  fromReduced: Deviation;
+}
+
+/** What the judge says of a reduced surface. */
+export interface Verdict {
+  surface: Judgement;
+  /** Of the boundaries, as curves. */
+  boundary: Judgement;
+  /** The largest of surface and boundary; too large by at most 1e-6. */
+  ratio: number;
+  /** Whether no bound is broken at any sample. */
+  withinBounds: boolean;
+}

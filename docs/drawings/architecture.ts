@@ -65,7 +65,7 @@ export function architecture(): string {
     room([206, 440], 350, 'fill-orange', 'core', 'the reduction: C++20 and GLM, no file, no browser'),
     room([24, 320], 152, 'fill-blue', 'web/node-cli', 'command line (Node)'),
     room([24, 440], 152, 'fill-soft', 'a C++ program', 'links meshbound::core'),
-    room([588, 320], 148, 'fill-soft', 'tests/judge', 'knows two meshes', 'and the bounds'),
+    room([588, 440], 148, 'fill-orange', 'core/src/verify', 'the judge: knows', 'two meshes, bounds'),
     arrow('soft', [376, 67], [386, 67]),
     arrow('soft', [290, 92], [290, 170]),
     arrow('soft', [100, 320], [100, 236]),

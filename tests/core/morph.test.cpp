@@ -179,9 +179,9 @@ protected:
         for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
             SCOPED_TRACE(share);
             const Mesh between = morphed(morph, share);
-            const judge::Judgement surface = judge::judge(step.original, between, bounds, samples);
+            const meshbound::Judgement surface = judge::judge(step.original, between, bounds, samples);
             EXPECT_LE(surface.ratio(), 1 + 10 * promise::hair) << surface;
-            const judge::Judgement boundary = judge::judge_boundary(step.original, between, bounds, samples / 10);
+            const meshbound::Judgement boundary = judge::judge_boundary(step.original, between, bounds, samples / 10);
             EXPECT_LE(boundary.ratio(), 1 + 10 * promise::hair) << "boundary; " << boundary;
         }
     }

@@ -56,10 +56,10 @@ inline double largest_ratio(const Reduction& reduction) {
 /// claim less than the judge sees.
 inline void expect_judge_agrees(const Mesh& mesh, const Reduction& reduction, std::size_t samples = 20'000) {
     const std::vector<double> bounds = absolute_bounds(reduction);
-    const judge::Judgement surface = judge::judge(mesh, reduction.mesh, bounds, samples);
+    const auto [surface, boundary, cancelled] =
+        judge::verdict_of(mesh, reduction.mesh, bounds, {samples, samples / 10, {}});
     EXPECT_LE(surface.ratio(), 1 + hair) << surface;
     EXPECT_LE(surface.ratio(), largest_ratio(reduction) + hair) << "the report claims less; " << surface;
-    const judge::Judgement boundary = judge::judge_boundary(mesh, reduction.mesh, bounds, samples / 10);
     EXPECT_LE(boundary.ratio(), largest_ratio(reduction) + hair) << "boundary; " << boundary;
 }
 

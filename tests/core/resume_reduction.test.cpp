@@ -29,7 +29,7 @@ const Bounds partly_free = {{"position", relative(0.01)}, {"wave", relative(0.03
 
 Checkpoint checkpoint_of(const Reduction& reduction) { return {reduction.mesh, reduction.vertices, reduction.report}; }
 
-/// The judge takes no bound of zero, nor one beside which others are so much larger that it loses its way.
+/// The judge takes no bound of zero, nor one that is next to nothing beside the extent.
 constexpr double least_share = 1e-6;
 
 /// As a reduction within what was spent, of the least share of the extent where it is next to nothing; what is free stays free.
@@ -205,7 +205,7 @@ TEST_P(Onward, KeepsItsPromiseOverOddSurfaces) {
         const Checkpoint checkpoint = passed(odd[i], promise::percent(2, 6));
         const Reduction reduction = onward(checkpoint, promise::percent(4, 12));
         promise::expect_vertex_subset(odd[i], reduction);
-        const judge::Judgement judgement =
+        const meshbound::Judgement judgement =
             judge::judge(odd[i], reduction.mesh, promise::absolute_bounds(reduction), 10'000);
         EXPECT_LE(judgement.ratio(), 1 + promise::hair) << judgement;
         EXPECT_EQ(reduction.report.defects.unused_vertices, checkpoint.report.defects.unused_vertices);

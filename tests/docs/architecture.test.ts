@@ -1,5 +1,5 @@
 // What docs/architecture.md says of the imports of folders, and of the includes of the core's rooms, is true.
-import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join, normalize } from 'node:path';
 import { describe, expect, test } from 'vitest';
 
@@ -171,9 +171,51 @@ describe('the check of rooms', () => {
   });
 });
 
-test('the judge takes nothing of the core but the mesh', () => {
-  const headers = sources('tests/judge', /\.[ch]pp$/).flatMap((path) =>
-    Array.from(readFileSync(path, 'utf8').matchAll(/"(meshbound\/[\w.]+)"/g), ([, header]) => header),
-  );
-  expect([...new Set(headers)]).toEqual(['meshbound/mesh.hpp']);
+/** Everything that a file includes, and that the source behind one of these headers does, itself among them. */
+function reachedFrom(paths: string[]): string[] {
+  const reached = new Set<string>();
+  const follow = (path: string) => {
+    if (reached.has(path)) return;
+    reached.add(path);
+    const source = path.replace(/\.hpp$/, '.cpp');
+    if (source.startsWith('core/src/') && existsSync(source)) follow(source);
+    for (const included of rooms.includesOf(path)) follow(included);
+  };
+  for (const path of paths) follow(path);
+  return [...reached];
+}
+
+describe('the judge', () => {
+  const reached = reachedFrom(sources('core/src/verify', /\.[ch]pp$/));
+
+  test('reaches nothing of the core but facts about meshes and tools', () => {
+    const strangers = reached.filter(
+      (path) => path.startsWith('core/src/') && !/^core\/src\/(verify|mesh|util)\//.test(path),
+    );
+    expect(reached.length).toBeGreaterThan(20);
+    expect(strangers).toEqual([]);
+  });
+
+  test('reaches no public header but those of a mesh, a fault, progress and its own', () => {
+    const headers = reached.filter((path) => path.startsWith('core/include/'));
+    const known = ['api', 'glm_layout', 'mesh', 'progress', 'status', 'verify'];
+    expect(headers.sort()).toEqual(known.map((name) => `core/include/meshbound/${name}.hpp`));
+  });
+
+  test('is known to nothing that reduces', () => {
+    const others = sources('core/src', /\.[ch]pp$/).filter((path) => !path.startsWith('core/src/verify/'));
+    const knowing = others.filter((path) => reachedFrom([path]).includes('core/include/meshbound/verify.hpp'));
+    expect(knowing).toEqual([]);
+  });
+
+  test('is linked with nothing that reduces as a WebAssembly module', () => {
+    const text = readFileSync('wasm/CMakeLists.txt', 'utf8');
+    const [, files] = /file\(GLOB judge_sources([^)]*)\)/.exec(text) ?? [];
+    const [, linked] = /add_executable\(judge_wasm([^)]*)\)/.exec(text) ?? [];
+    expect(Array.from(files?.matchAll(/core\/src\/(\w+)/g) ?? [], ([, room]) => room)).toEqual(['verify', 'mesh']);
+    expect(linked?.match(/[\w-]+\.cpp/g)).toEqual(['judge-bindings.cpp', 'from_js.cpp', 'outcome.cpp']);
+    expect(text.match(/target_link_libraries\(judge_wasm.*/g)).toEqual([
+      'target_link_libraries(judge_wasm PRIVATE glm::glm)',
+    ]);
+  });
 });

@@ -22,7 +22,7 @@ C. Bajaj and D. Schikore, *Error-bounded Reduction of Triangle Meshes with Multi
 in [algorithm.md](algorithm.md).
 
 *Propagated* is the paper's accounting of errors, *tracked* is ours and the default. Both promise that there is a continuous
-map from the original surface onto the reduced one which keeps every bound at every point. The judge (\`tests/judge\`) knows
+map from the original surface onto the reduced one which keeps every bound at every point. The judge (\`meshbound/verify.hpp\`) knows
 nothing of either: it looks at the two surfaces in the joint space of position and variables, at some 50 000 points of each.
 Where it finds a bound broken, the evaluation fails and writes nothing.
 

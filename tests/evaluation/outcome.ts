@@ -1,5 +1,4 @@
-import { reduce } from '../../wasm/index.ts';
-import { type Judge, judgeAccuracy, loadJudge, type Verdict } from '../../wasm/judge-module.ts';
+import { reduce, verify } from '../../wasm/index.ts';
 import type { Bound, Mesh, ReduceOptions, VariableReport } from '../../wasm/types.ts';
 
 export type Errors = NonNullable<ReduceOptions['errors']>;
@@ -19,11 +18,8 @@ export interface DetailedOutcome extends Outcome {
   judgedErrors: number[];
 }
 
-const samples = 50_000;
 /** The judge's errors are found by bisection, to this fraction of the bound. */
 const resolution = 1 / 128;
-
-const judge: Judge = await loadJudge();
 
 /** Reduces and has the result judged; throws where the judge finds a bound broken. */
 export async function outcomeOf(mesh: Mesh, bounds: Bounds, errors: Errors): Promise<Outcome> {
@@ -33,37 +29,28 @@ export async function outcomeOf(mesh: Mesh, bounds: Bounds, errors: Errors): Pro
 export async function detailedOutcomeOf(mesh: Mesh, bounds: Bounds, errors: Errors): Promise<DetailedOutcome> {
   const { reduced, outcome } = await judgedReduction(mesh, bounds, errors);
   const limits = outcome.variables.map(({ bound }) => bound);
-  return { ...outcome, judgedErrors: limits.map((_, variable) => judgedError(mesh, reduced, limits, variable)) };
+  const judgedErrors: number[] = [];
+  for (const variable of limits.keys()) judgedErrors.push(await judgedError(mesh, reduced, limits, variable));
+  return { ...outcome, judgedErrors };
 }
 
 async function judgedReduction(mesh: Mesh, bounds: Bounds, errors: Errors) {
   const { mesh: reduced, report } = await reduce(mesh, { bounds, errors, countFolds: false });
   const { triangles, variables } = report;
   const limits = variables.map(({ bound }) => bound);
-  const judged = judgedRatio(mesh, reduced, limits);
-  if (judged > 1 + judgeAccuracy) throw new Error(`The judge finds a bound broken: ${judged}.`);
+  const { ratio: judged, withinBounds } = await verify(mesh, reduced, { bounds: limits });
+  if (!withinBounds) throw new Error(`The judge finds a bound broken: ${judged}.`);
   return { reduced, outcome: { triangles: triangles.after, variables, judged } };
 }
 
 /** The smallest fraction of one variable's bound at which the judge still passes, all other bounds being as they are. */
-function judgedError(mesh: Mesh, reduced: Mesh, limits: number[], variable: number): number {
+async function judgedError(mesh: Mesh, reduced: Mesh, limits: number[], variable: number): Promise<number> {
   let [low, high] = [0, 1];
   while (high - low > resolution) {
     const middle = (low + high) / 2;
     const tried = limits.map((limit, i) => (i === variable ? middle * limit : limit));
-    if (judgedRatio(mesh, reduced, tried) > 1 + judgeAccuracy) low = middle;
-    else high = middle;
+    if ((await verify(mesh, reduced, { bounds: tried })).withinBounds) high = middle;
+    else low = middle;
   }
   return high;
-}
-
-function judgedRatio(original: Mesh, reduced: Mesh, limits: number[]): number {
-  const answer = judge.judge(original, reduced, limits, samples, []);
-  if (!answer.ok) throw new Error(answer.failure.message);
-  return largestRatio(answer.value);
-}
-
-function largestRatio({ surface, boundary }: Verdict): number {
-  const both = [surface, boundary].flatMap(({ fromOriginal, fromReduced }) => [fromOriginal, fromReduced]);
-  return Math.max(...both.map(({ ratio }) => ratio));
 }

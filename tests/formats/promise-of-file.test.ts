@@ -1,14 +1,12 @@
 import { WebIO } from '@gltf-transform/core';
 import { validateBytes } from 'gltf-validator';
 import { describe, expect, it } from 'vitest';
-import { reduce } from '../../wasm/index.ts';
-import { loadJudge } from '../../wasm/judge-module.ts';
+import { reduce, verify } from '../../wasm/index.ts';
 import type { Bound, Mesh } from '../../wasm/types.ts';
 import { originIn, roundingsOf } from '../../web/formats/file-rounding.ts';
 import { readSurface } from '../../web/formats/read.ts';
 import type { Format } from '../../web/formats/surface.ts';
 import { lossesOf, writeLevels, writeSurface } from '../../web/formats/write.ts';
-import { findingsOf } from '../../web/node-cli/output/verdict.ts';
 import { boundsForFile, isKept, reportOfFile } from '../../web/session/bounds/bounds-for-file.ts';
 
 const side = 21;
@@ -46,16 +44,8 @@ const bounds: Record<string, Bound> = Object.fromEntries(
 async function judged(original: Mesh, reduced: Mesh): Promise<number> {
   const held = original.variables.filter(({ name }) => reduced.variables.some((each) => each.name === name));
   const names = ['position', ...held.map(({ name }) => name)] as (keyof typeof limits)[];
-  const judge = await loadJudge();
-  const verdict = judge.judge(
-    { ...original, variables: held },
-    reduced,
-    names.map((name) => limits[name]),
-    20000,
-    [],
-  );
-  if (!verdict.ok) throw new Error(JSON.stringify(verdict.failure));
-  return findingsOf(verdict.value, names, Object.values(limits)).ratio;
+  const options = { bounds: names.map((name) => limits[name]), samples: 20000 };
+  return (await verify({ ...original, variables: held }, reduced, options)).ratio;
 }
 
 const placed = wavedSquare(6_000_000.1, 2_000_000.06, 305);

@@ -86,10 +86,9 @@ void check_judgement(const Mesh& mesh, const Options& options, const Reduction& 
     }
     if (const Variable* focus = bound_multiplier_of(mesh, options))
         for (std::size_t v = 0; v < vertex_count(mesh); ++v) multipliers.push_back(value_at(*focus, v, 0));
-    const auto within = [](const judge::Judgement& judgement) { return judgement.ratio() <= 1 + hair; };
-    require(within(judge::judge(mesh, reduction.mesh, bounds, fewest_samples, multipliers)), "the judge agrees");
-    require(within(judge::judge_boundary(mesh, reduction.mesh, bounds, fewest_samples, multipliers)),
-            "the judge agrees about the boundary");
+    const Verdict verdict =
+        judge::verdict_of(mesh, reduction.mesh, bounds, {fewest_samples, fewest_samples, multipliers});
+    require(verdict.within_bounds(), "the judge agrees");
 }
 
 /// Whether coordinates are within the range in which meeting is decided exactly (Options::refuse_piercing).

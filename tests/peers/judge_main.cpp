@@ -18,7 +18,6 @@
 #include <string>
 #include <vector>
 
-#include "judge/judge.hpp"
 #include "meshbound/meshbound.hpp"
 #include "meshes/ply.hpp"
 #include "verdict.hpp"
@@ -83,9 +82,10 @@ private:
     }
 
     std::string judged(const meshbound::Mesh& reduced) const {
+        meshbound::Verdict found;
+        check(meshbound::verify(original, reduced, absolute, {}, found));
         std::ostringstream out;
-        out << judge::judge(original, reduced, absolute).ratio() << ' '
-            << judge::judge_boundary(original, reduced, absolute).ratio();
+        out << found.surface.ratio() << ' ' << found.boundary.ratio();
         return out.str();
     }
 

@@ -1,5 +1,5 @@
 import { css, html, LitElement } from 'lit';
-import { reduce } from '../../wasm/index.ts';
+import { reduce, verify } from '../../wasm/index.ts';
 import { download, type SavedKind, savedKinds } from '../element/saving/download.ts';
 import { BoundsCurve } from '../session/bounds/bounds-curve.ts';
 import '../element/index.ts';
@@ -11,6 +11,7 @@ import { type Keeping, nothingKept } from '../session/constraints/keeping.ts';
 import type { Method } from '../session/constraints/method.ts';
 import { messageOf } from '../session/reading/failure.ts';
 import type { Reduced } from '../session/session-state.ts';
+import { Verifying } from '../session/verifying.ts';
 import type { ViewDirection } from '../viewer/linked-cameras.ts';
 import type { BoundChange } from './bounds/bounds-panel.ts';
 import './bounds/bounds-panel.ts';
@@ -125,6 +126,7 @@ export class App extends LitElement {
   /** What shows the surfaces; everything else on the page drives it. */
   readonly viewer = document.createElement('meshbound-viewer');
   #curve = new BoundsCurve(reduce);
+  #verifying = new Verifying(verify);
   /** Whether the chart is to be seen: nothing is measured for nobody. */
   #charted = false;
   /** The place on the original that is pinned. */
@@ -146,6 +148,7 @@ export class App extends LitElement {
       this.#changed();
     });
     this.#curve.addEventListener('change', () => this.requestUpdate());
+    this.#verifying.addEventListener('change', () => this.requestUpdate());
     this.viewer.addEventListener('pin', (event) => {
       this.#pinned = (event as CustomEvent).detail.place;
       this.requestUpdate();
@@ -206,7 +209,7 @@ export class App extends LitElement {
 
   #boundsPanel() {
     const { session } = this.viewer;
-    const { surface, bounds, canUndo, canRedo, method, keeping, reduced } = session.state;
+    const { surface, bounds, canUndo, canRedo, method, keeping, reduced, progress } = session.state;
     const { shown, standing } = this.viewer;
     const result = shown?.result ?? null;
     const isOfOthers = shown !== null && (standing !== 'asked' || this.viewer.levels.shown !== null);
@@ -222,9 +225,13 @@ export class App extends LitElement {
         .unusedLockedBoxes=${reduced?.result.report.unusedLockedBoxes ?? []}
         .reduction=${result}
         .measured=${this.#isMeasured}
+        .verification=${this.#verifying.state}
+        ?busy=${progress !== null}
         .curve=${this.#curve.points}
         .canUndo=${canUndo}
         .canRedo=${canRedo}
+        @verify=${() => this.#verifying.start()}
+        @verify-cancel=${() => this.#verifying.cancel()}
         @undo=${() => session.undo()}
         @redo=${() => session.redo()}
         @bounds-change=${({ detail }: CustomEvent<BoundChange>) => this.#changeBounds(detail)}
@@ -346,11 +353,17 @@ export class App extends LitElement {
     this.#followCurve();
   }
 
+  #followVerifying(): void {
+    const { surface, progress } = this.viewer.session.state;
+    this.#verifying.follow(surface?.mesh ?? null, this.#result, progress !== null);
+  }
+
   #followCurve(): void {
     this.#curve.follow(this.#charted ? this.viewer.session.state : null);
   }
 
   #changed(): void {
+    this.#followVerifying();
     this.requestUpdate();
     this.#link.update();
   }

@@ -124,6 +124,23 @@ export const pageEnglish = {
       asked ? `${parts} dropped (${triangles} triangles)` : 'not dropped',
   },
 
+  verification: {
+    title: 'Verification',
+    now: { notYet: 'not asked for', holds: 'bounds hold', broken: 'a bound is broken', fault: 'failed' },
+    progress: (percent: number) => `${percent}${space}%`,
+    what: 'A judge who knows nothing of the reduction compares the two surfaces as they are: from many points of each, how far is the other?',
+    dropped: 'Small parts were dropped, which a judge would miss: the whole surface cannot be verified.',
+    verify: 'Verify',
+    cancel: 'Cancel',
+    holds: (samples: string) => `Every bound holds at each of ${samples} points. The farthest, in bounds:`,
+    broken: 'A bound is broken. The farthest points, in bounds:',
+    farthest: (share: string, variable: string) => `${share}, in ${variable}`,
+    nothing: 'none',
+    nothingNear: 'no counterpart',
+    surface: { fromOriginal: 'Original to reduced', fromReduced: 'Reduced to original' },
+    boundary: { fromOriginal: 'Its boundary', fromReduced: 'The reduced boundary' },
+  },
+
   pin: { hint: 'Pin a place on the original first: by a click, or Enter' },
 
   locks: {

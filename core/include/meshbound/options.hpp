@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "meshbound/glm_layout.hpp"
+#include "meshbound/progress.hpp"
 
 namespace meshbound {
 
@@ -78,8 +78,5 @@ struct Options {
     /// bound. The variable itself is carried along like any other.
     std::string bound_multiplier;
 };
-
-/// Called often (every few milliseconds) with the progress so far, 0…1, never falling. Return false to cancel.
-using Progress = std::function<bool(double)>;
 
 } // namespace meshbound

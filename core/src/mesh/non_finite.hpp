@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "meshbound/bounds.hpp"
 #include "meshbound/mesh.hpp"
 #include "meshbound/status.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "meshbound/options.hpp"
+#include "meshbound/progress.hpp"
 
 namespace meshbound {
 

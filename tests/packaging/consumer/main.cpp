@@ -31,6 +31,9 @@ int main() {
         std::cerr << fault_name(status.fault) << ": " << status.message << '\n';
         return 1;
     }
+    Verdict verdict;
+    if (!verify(mesh, reduction.mesh, {resolved[0].absolute}, {}, verdict).ok() || !verdict.within_bounds()) return 1;
+
     Reduction onward;
     if (!resume_reduction(checkpoint, {{"*", relative(0.1)}}, {}, onward).ok()) return 1;
 

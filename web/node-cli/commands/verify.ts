@@ -1,6 +1,5 @@
-import { MeshboundError } from '../../../wasm/errors.ts';
-import { judgeAccuracy, loadJudge, type Verdict } from '../../../wasm/judge-module.ts';
-import type { Mesh } from '../../../wasm/types.ts';
+import { verify as judge } from '../../../wasm/index.ts';
+import type { Mesh, Verdict, VerifyOptions } from '../../../wasm/types.ts';
 import { unusedNotes } from '../../session/report/defect-notes.ts';
 import { usedPoints } from '../../surface/used-points.ts';
 import { spanOf } from '../../surface/value-span.ts';
@@ -15,6 +14,7 @@ import { without } from '../options/exclude.ts';
 import { parseBoundMultiplier } from '../options/keeping-arguments.ts';
 import { parseWeld, weldHelp } from '../options/weld-argument.ts';
 import { sayNotes } from '../output/notes.ts';
+import { ProgressBar } from '../output/progress-bar.ts';
 import { freeNotes } from '../output/report.ts';
 import { findingsOf, verdictText } from '../output/verdict.ts';
 
@@ -22,7 +22,7 @@ const help = `Checks by an independent judge whether a reduced surface keeps the
 
 Usage: meshbound verify ORIGINAL REDUCED --bound NAME=BOUND …
 
-The judge knows nothing of how the surface was reduced, and shares no code with what reduces. It takes both as surfaces in
+The judge knows nothing of how the surface was reduced, and uses nothing that reduces. It takes both as surfaces in
 the space of position and variables together, looks from many points of each for the nearest point of the other, and does
 the same with their boundaries. Distances are given in bounds: 1 is the limit.
 
@@ -75,15 +75,16 @@ function parseSamples(text: string): number {
 async function judged(
   original: Mesh,
   reduced: Mesh,
-  limits: number[],
-  samples: number,
-  multipliers: ArrayLike<number>,
-  path: string,
+  { path, quiet, ...options }: VerifyOptions & { path: string; quiet: boolean },
 ): Promise<Verdict> {
-  const judge = await loadJudge();
-  const outcome = judge.judge(original, reduced, limits, samples, multipliers);
-  if (!outcome.ok) throw faultOf(path, new MeshboundError(outcome.failure));
-  return outcome.value;
+  const bar = process.stderr.isTTY && !quiet ? new ProgressBar(process.stderr) : undefined;
+  try {
+    return await judge(original, reduced, { ...options, onProgress: (progress) => bar?.show(progress) });
+  } catch (error) {
+    throw faultOf(path, error);
+  } finally {
+    bar?.clear();
+  }
 }
 
 async function run(args: string[]): Promise<number> {
@@ -95,10 +96,11 @@ async function run(args: string[]): Promise<number> {
   const original = without(values.exclude, await openSurface(positionals[0], values.variables, { weld }));
   const reduced = await openSurface(positionals[1]);
   const { names, limits, one, other } = comparable(original, reduced, bounds);
-  const multipliers = boundMultiplier === undefined ? [] : multipliersOf(original, boundMultiplier);
-  const verdict = await judged(one, other, limits, samples, multipliers, reduced.path);
+  const multipliers = boundMultiplier === undefined ? undefined : multipliersOf(original, boundMultiplier);
+  const options = { bounds: limits, samples, boundarySamples: samples, multipliers };
+  const verdict = await judged(one, other, { ...options, path: reduced.path, quiet: values.quiet });
   const findings = findingsOf(verdict, names, limits, boundMultiplier);
-  const within = findings.ratio <= 1 + judgeAccuracy;
+  const within = verdict.withinBounds;
   if (values.json) {
     const found = { original: original.path, reduced: reduced.path, ...findings, within };
     console.log(JSON.stringify(found, undefined, 2));

@@ -1,4 +1,4 @@
-import type { Deviation, Verdict } from '../../../wasm/judge-module.ts';
+import type { Deviation, Verdict } from '../../../wasm/types.ts';
 import { grouped, printable } from '../../formats/text/wording.ts';
 import type { ComponentSpan } from '../../surface/value-span.ts';
 import { placeText, roundedUpText, textTable } from './text-table.ts';
@@ -25,7 +25,7 @@ export interface Findings {
 
 /** The judge's verdict with the names of the variables, position first, their absolute bounds, and what multiplies these. */
 export function findingsOf(
-  { surface, boundary }: Verdict,
+  { surface, boundary, ratio }: Verdict,
   names: readonly string[],
   limits: readonly number[],
   boundMultiplier: string | null = null,
@@ -36,12 +36,11 @@ export function findingsOf(
   const both = ({ fromOriginal, fromReduced }: Verdict['surface']) => {
     return { fromOriginal: named(fromOriginal), fromReduced: named(fromReduced) };
   };
-  const deviations = [surface.fromOriginal, surface.fromReduced, boundary.fromOriginal, boundary.fromReduced];
   const bounds = names.map((name, i) => ({ name, bound: limits[i] })).filter(({ bound }) => Number.isFinite(bound));
   return {
     bounds,
     boundMultiplier,
-    ratio: Math.max(...deviations.map(({ ratio }) => ratio)),
+    ratio,
     surface: both(surface),
     boundary: both(boundary),
   };

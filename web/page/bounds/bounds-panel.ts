@@ -14,6 +14,7 @@ import type { CurvePoint } from '../../session/bounds/bounds-curve.ts';
 import { isMultiplied, type Keeping, nothingKept } from '../../session/constraints/keeping.ts';
 import type { Method } from '../../session/constraints/method.ts';
 import type { OpenSurface } from '../../session/reading/open-surface.ts';
+import { notVerified, type VerifyState } from '../../session/verifying.ts';
 import './bound-row.ts';
 import './bounds-chart.ts';
 import '../result/error-spread.ts';
@@ -28,6 +29,7 @@ import '../constraints/multiplier-choice.ts';
 import '../result/held-back.ts';
 import '../constraints/lock-choice.ts';
 import '../result/result-report.ts';
+import '../result/verification.ts';
 import type { Multiplied } from '../../probe/multiplied.ts';
 import { english } from '../../words/english.ts';
 import { pageEnglish } from '../../words/page-english.ts';
@@ -50,6 +52,7 @@ const presets = [
  * @fires bounds-change with a BoundChange
  * @fires worst-wanted with the name of a variable: where its error is largest is to be shown
  * @fires chart-toggle with whether the chart of triangles against bounds is to be seen
+ * @fires verify from meshbound-verification, as is verify-cancel
  * @fires undo
  * @fires redo
  * @fires method-change with a Method
@@ -68,6 +71,8 @@ export class BoundsPanel extends LitElement {
     reduction: { attribute: false },
     spreadShown: { state: true },
     measured: { type: Boolean },
+    verification: { attribute: false },
+    busy: { type: Boolean },
     curve: { attribute: false },
     canUndo: { type: Boolean },
     canRedo: { type: Boolean },
@@ -113,6 +118,7 @@ export class BoundsPanel extends LitElement {
       meshbound-lock-choice,
       meshbound-multiplier-choice,
       meshbound-result-report,
+      meshbound-verification,
       meshbound-method-choice {
         padding: 8px 0;
         border-top: 1px solid var(--line);
@@ -137,6 +143,10 @@ export class BoundsPanel extends LitElement {
   declare spreadShown: boolean;
   /** Whether the errors of the report were measured; otherwise they are limits from above. */
   declare measured: boolean;
+  /** What the judge said of the result that is shown. */
+  declare verification: VerifyState;
+  /** A reduction runs. */
+  declare busy: boolean;
   /** Triangles against bounds, as far as measured. */
   declare curve: readonly CurvePoint[];
   declare canUndo: boolean;
@@ -154,6 +164,8 @@ export class BoundsPanel extends LitElement {
     this.reduction = null;
     this.spreadShown = false;
     this.measured = true;
+    this.verification = notVerified;
+    this.busy = false;
     this.curve = [];
     this.canUndo = false;
     this.canRedo = false;
@@ -181,6 +193,11 @@ export class BoundsPanel extends LitElement {
         .unit=${this.surface.labels.units.position}
         .names=${this.surface.labels.regionNames?.get(this.keeping.regions ?? '')}
       ></meshbound-result-report>
+      <meshbound-verification
+        .report=${this.report}
+        .state=${this.verification}
+        ?disabled=${this.busy}
+      ></meshbound-verification>
       <meshbound-lock-choice
         .surface=${this.surface}
         .keeping=${this.keeping}

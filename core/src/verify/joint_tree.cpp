@@ -1,11 +1,10 @@
-#include "judge/joint_tree.hpp"
+#include "verify/joint_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
-namespace judge {
+namespace meshbound::verification {
 
 namespace {
 constexpr std::uint32_t leaf_size = 4;
@@ -16,7 +15,6 @@ JointTree::JointTree(const JointSurface& surface, const JointSpace& space)
       fragments_(cut_into_fragments(surface)),
       origin_(static_cast<std::size_t>(surface.dimensions), 0.0), scaled_{origin_, origin_, origin_},
       looked_at_(surface.triangles.size(), 0) {
-    if (fragments_.empty()) throw std::invalid_argument("a surface without triangles");
     nodes_.reserve(fragments_.size());
     nodes_.push_back({});
     split(0, 0, static_cast<std::uint32_t>(fragments_.size()));
@@ -153,4 +151,4 @@ Foot JointTree::nearest(const double* q, double enough, std::uint32_t guess) con
     return foot;
 }
 
-} // namespace judge
+} // namespace meshbound::verification

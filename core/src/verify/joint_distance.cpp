@@ -1,11 +1,11 @@
-#include "judge/joint_distance.hpp"
+#include "verify/joint_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
-namespace judge {
+namespace meshbound::verification {
 namespace {
 
 /// How far each step of the interior-point method aims towards the optimum: the gap left, as a fraction.
@@ -27,6 +27,12 @@ constexpr int most_halvings = 60;
 /// A few units in the last place of a double: the relative error of a sum of some ten products.
 constexpr double rounding_unit = 2e-15;
 
+double squared_length(const double* p, const double* q, int components) {
+    double sum = 0;
+    for (int i = 0; i < components; ++i) sum += (p[i] - q[i]) * (p[i] - q[i]);
+    return sum;
+}
+
 } // namespace
 
 JointDistance::JointDistance(std::vector<int> components)
@@ -36,17 +42,28 @@ JointDistance::JointDistance(std::vector<int> components)
     point_.resize(static_cast<std::size_t>(dimensions_));
 }
 
-double JointDistance::between(const double* p, const double* q, std::size_t* dominant) const {
+double JointDistance::between(const double* p, const double* q) const {
     double worst = 0;
-    if (dominant) *dominant = 0;
-    for (std::size_t g = 0; g < components_.size(); ++g) {
-        double sum = 0;
-        for (int i = 0; i < components_[g]; ++i, ++p, ++q) sum += (*p - *q) * (*p - *q);
-        if (sum <= worst) continue;
-        worst = sum;
-        if (dominant) *dominant = g;
+    for (const int n : components_) {
+        worst = std::max(worst, squared_length(p, q, n));
+        p += n;
+        q += n;
     }
     return std::sqrt(worst);
+}
+
+std::size_t JointDistance::farthest_variable(const double* p, const double* q) const {
+    double worst = 0;
+    std::size_t farthest = 0;
+    for (std::size_t g = 0; g < components_.size(); ++g) {
+        if (const double square = squared_length(p, q, components_[g]); square > worst) {
+            worst = square;
+            farthest = g;
+        }
+        p += components_[g];
+        q += components_[g];
+    }
+    return farthest;
 }
 
 double JointDistance::Quadratic::rounding(Offset p) const {
@@ -320,4 +337,4 @@ Nearest JointDistance::to_triangle(const double* q, const double* a, const doubl
     return nearest;
 }
 
-} // namespace judge
+} // namespace meshbound::verification

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "judge/joint_surface.hpp"
+#include "verify/joint_surface.hpp"
 
-namespace judge {
+namespace meshbound::verification {
 
 /// A point of a surface by its barycentric coordinates in a triangle.
 struct Sample {
@@ -17,7 +17,7 @@ struct Sample {
 
 /// Visits about `budget` samples of a surface, always the same ones: every vertex that a triangle uses, at least one
 /// point on every edge and one inside every triangle, and more in proportion to length and area in the joint space, so
-/// that no part of a large triangle is far from a sample.
-void sample_surface(const JointSurface& surface, std::size_t budget, const std::function<void(const Sample&)>& visit);
+/// that no part of a large triangle is far from a sample. Ends early where `visit` returns false.
+void sample_surface(const JointSurface& surface, std::size_t budget, const std::function<bool(const Sample&)>& visit);
 
-} // namespace judge
+} // namespace meshbound::verification

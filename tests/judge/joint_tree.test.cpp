@@ -1,6 +1,6 @@
 // The judge's search for the nearest point of a surface: exact on slivers, and not at the cost of looking at nearly all of them.
 
-#include "judge/joint_tree.hpp"
+#include "verify/joint_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +16,8 @@
 #include "meshes/variations.hpp"
 
 namespace {
+
+namespace verification = meshbound::verification;
 
 using meshbound::Mesh;
 
@@ -68,7 +70,8 @@ std::vector<Case> slivers(unsigned count) {
 class Searched {
 public:
     Searched(const Mesh& mesh, bool multiplied)
-        : space_(judge::joint_space(mesh, {0.01, 0.03, 0.02})), surface_(judge::joint_surface(mesh, space_)) {
+        : space_(verification::joint_space(mesh, {0.01, 0.03, 0.02})),
+          surface_(verification::joint_surface(mesh, space_)) {
         meshes::Random random(7);
         if (multiplied)
             for (std::size_t v = 0; v < vertex_count(mesh); ++v) surface_.multipliers.push_back(random.uniform(0.5, 2));
@@ -86,21 +89,22 @@ public:
         return q;
     }
 
-    const judge::JointSurface& surface() const { return surface_; }
-    const judge::JointSpace& space() const { return space_; }
+    const verification::JointSurface& surface() const { return surface_; }
+    const verification::JointSpace& space() const { return space_; }
 
 private:
-    judge::JointSpace space_;
-    judge::JointSurface surface_;
+    verification::JointSpace space_;
+    verification::JointSurface surface_;
 };
 
 /// Every triangle is looked at, by a tree of it alone.
 double nearest_of_all(const Searched& searched, const std::vector<double>& q) {
-    double least = judge::JointDistance::infinite;
+    double least = verification::JointDistance::infinite;
     for (const auto& triangle : searched.surface().triangles) {
-        judge::JointSurface one = searched.surface();
+        verification::JointSurface one = searched.surface();
         one.triangles = {triangle};
-        least = std::min(least, judge::JointTree(one, searched.space()).nearest(q.data(), 0, 0).nearest.distance);
+        least =
+            std::min(least, verification::JointTree(one, searched.space()).nearest(q.data(), 0, 0).nearest.distance);
     }
     return least;
 }
@@ -110,7 +114,7 @@ TEST(JointTree, FindsTheNearestPointOfSlivers) {
         for (const Case& one : slivers(60)) {
             SCOPED_TRACE(one.name);
             const Searched searched(one.mesh, multiplied);
-            const judge::JointTree tree(searched.surface(), searched.space());
+            const verification::JointTree tree(searched.surface(), searched.space());
             meshes::Random random(3);
             for (int i = 0; i < 40; ++i) {
                 const std::vector<double> q = searched.point(random);
@@ -125,7 +129,7 @@ TEST(JointTree, LooksAtFewOfManySlivers) {
     for (const Case& one : slivers(4000)) {
         SCOPED_TRACE(one.name);
         const Searched searched(one.mesh, false);
-        const judge::JointTree tree(searched.surface(), searched.space());
+        const verification::JointTree tree(searched.surface(), searched.space());
         meshes::Random random(5);
         constexpr std::size_t searches = 200;
         for (std::size_t i = 0; i < searches; ++i) {
@@ -138,8 +142,8 @@ TEST(JointTree, LooksAtFewOfManySlivers) {
 
 TEST(JointTree, CutsNothingThatIsNotSlender) {
     Mesh mesh = meshes::sphere(6);
-    const judge::JointSpace space = judge::joint_space(mesh, {0.01});
-    EXPECT_EQ(judge::cut_into_fragments(judge::joint_surface(mesh, space)).size(), mesh.triangles.size());
+    const verification::JointSpace space = verification::joint_space(mesh, {0.01});
+    EXPECT_EQ(verification::cut_into_fragments(verification::joint_surface(mesh, space)).size(), mesh.triangles.size());
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 
 #include "meshbound/mesh.hpp"
 
-namespace judge {
+namespace meshbound::verification {
 
 /// The variables that a bound limits, in the order in which their components stand in a row. Variable 0 is position,
 /// variable i + 1 the mesh's variable i. Free variables (bound infinity) do not appear.
@@ -31,15 +31,15 @@ struct JointSurface {
 };
 
 /// The joint space of a mesh. `bounds` holds the bound of position, then one a variable, absolute and positive;
-/// infinity is free. Throws std::invalid_argument where a bound is missing or not positive.
-JointSpace joint_space(const meshbound::Mesh& mesh, const std::vector<double>& bounds);
+/// infinity is free.
+JointSpace joint_space(const Mesh& mesh, const std::vector<double>& bounds);
 
-/// A mesh as a surface in that space; triangles with a vertex twice are no surface and left out. Throws
-/// std::invalid_argument where the mesh has not the variables of the space.
-JointSurface joint_surface(const meshbound::Mesh& mesh, const JointSpace& space);
+/// A mesh as a surface in that space; triangles with a vertex twice are no surface and left out. It
+/// has the variables of the space, by the same numbers.
+JointSurface joint_surface(const Mesh& mesh, const JointSpace& space);
 
 /// The boundary of a mesh, the edges of exactly one triangle, as a curve in that space. Triangles on the same three vertices
 /// (copies, the two sides of a sheet) cover each other, so that they count as one: the rim of either is a rim.
-JointSurface joint_boundary(const meshbound::Mesh& mesh, const JointSpace& space);
+JointSurface joint_boundary(const Mesh& mesh, const JointSpace& space);
 
-} // namespace judge
+} // namespace meshbound::verification

@@ -1,6 +1,6 @@
 // The judge's nearest point of a triangle in the norm max(|Δx| / bound, |Δf| / bound, ...), against nested search.
 
-#include "judge/joint_distance.hpp"
+#include "verify/joint_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,10 @@
 
 namespace {
 
-using judge::JointDistance;
-using judge::Nearest;
+namespace verification = meshbound::verification;
+
+using verification::JointDistance;
+using verification::Nearest;
 using Row = std::vector<double>;
 
 struct Case {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace judge {
+namespace meshbound::verification {
 
 /// The nearest point of a triangle a, b, c: a + u (b - a) + v (c - a).
 struct Nearest {
@@ -25,8 +25,11 @@ public:
     /// `components`: how many numbers of a row belong to each variable.
     explicit JointDistance(std::vector<int> components);
 
-    /// The distance of two points. `dominant`, where given, is the variable (its place in `components`) that attains it.
-    double between(const double* p, const double* q, std::size_t* dominant = nullptr) const;
+    /// The distance of two points.
+    double between(const double* p, const double* q) const;
+
+    /// The variable (its place in `components`) in which they are farthest apart; the first of several.
+    std::size_t farthest_variable(const double* p, const double* q) const;
 
     /// The point of the triangle nearest to `q`, within `accuracy`. Any point no farther than `enough` ends the search.
     /// A triangle that is certainly farther than `cutoff` gives an infinite distance. Where b and c are one row the triangle is
@@ -93,4 +96,4 @@ private:
     mutable std::vector<double> weights_, weight_steps_, slacks_, slack_steps_, point_;
 };
 
-} // namespace judge
+} // namespace meshbound::verification

@@ -2,9 +2,12 @@
 
 #include "judge/judge.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -12,17 +15,18 @@
 #include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
-#include "judge/joint_tree.hpp"
-#include "judge/sampling.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
+#include "verify/joint_tree.hpp"
+#include "verify/sampling.hpp"
 
 namespace {
 
-using judge::Judgement;
+using meshbound::Judgement;
+namespace verification = meshbound::verification;
 using meshes::Mesh;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -199,13 +203,146 @@ TEST(Judge, RefusesWhatCannotBeCompared) {
     EXPECT_THROW(judge::judge(one, one, {1, std::nan("")}), std::invalid_argument);
 }
 
+struct Refused {
+    const char* what;
+    Mesh original, reduced;
+    std::vector<double> bounds;
+    meshbound::Fault fault;
+    std::string variable;
+    std::vector<double> multipliers{};
+};
+
+std::vector<Refused> refused() {
+    using meshbound::Fault;
+    const Mesh good = plane_with(meshes::linear_field, 2, 2);
+    const auto changed = [&](const auto& change) {
+        Mesh mesh = good;
+        change(mesh);
+        return mesh;
+    };
+    const Mesh bad_index = changed([](Mesh& m) { m.triangles[1].y = 99; });
+    const Mesh empty = changed([](Mesh& m) { m.triangles.clear(); });
+    const Mesh few = changed([](Mesh& m) { std::get<std::vector<double>>(m.variables[0].values).pop_back(); });
+    const Mesh nan = changed([](Mesh& m) { value(m.variables[0], 4) = std::nan(""); });
+    const Mesh infinite = changed([](Mesh& m) { value(m.position, 4) = infinity; });
+    const Mesh renamed = changed([](Mesh& m) { m.variables[0].name = "g"; });
+    const Mesh without = changed([](Mesh& m) { m.variables.clear(); });
+    const Mesh of_three = changed([](Mesh& m) {
+        m.variables.clear();
+        meshes::add_vector(m, "f", [](glm::dvec3 p) { return p; });
+    });
+    return {
+        {"index of the original", bad_index, good, {1, 1}, Fault::bad_index, ""},
+        {"index of the reduced", good, bad_index, {1, 1}, Fault::bad_index, ""},
+        {"empty original", empty, good, {1, 1}, Fault::no_triangles, ""},
+        {"empty reduced", good, empty, {1, 1}, Fault::no_triangles, ""},
+        {"nothing at all", {}, {}, {1}, Fault::no_triangles, ""},
+        {"too few values", good, few, {1, 1}, Fault::wrong_value_count, "f"},
+        {"not a number", nan, good, {1, 1}, Fault::non_finite_value, "f"},
+        {"not a number", good, nan, {1, 1}, Fault::non_finite_value, "f"},
+        {"infinite place", good, infinite, {1, 1}, Fault::non_finite_position, "position"},
+        {"another variable", good, renamed, {1, 1}, Fault::unknown_variable, "f"},
+        {"no variable", good, without, {1, 1}, Fault::unknown_variable, "f"},
+        {"a vector", good, of_three, {1, 1}, Fault::bad_components, "f"},
+        {"too few bounds", good, good, {1}, Fault::bad_bound, ""},
+        {"no bounds", good, good, {}, Fault::bad_bound, ""},
+        {"bound of zero", good, good, {1, 0}, Fault::bad_bound, "f"},
+        {"bound below zero", good, good, {-1, 1}, Fault::bad_bound, "position"},
+        {"bound that is no number", good, good, {1, std::nan("")}, Fault::bad_bound, "f"},
+        {"bound too fine", good, good, {1e-10, 1}, Fault::bound_too_fine, "position"},
+        {"bound next to nothing", good, good, {1, 5e-324}, Fault::bound_too_fine, "f"},
+        {"too few multipliers", good, good, {1, 1}, Fault::bad_option, "", {1, 1}},
+        {"multiplier of zero", good, good, {1, 1}, Fault::bad_option, "", {1, 1, 1, 1, 0, 1, 1, 1, 1}},
+    };
+}
+
+TEST(Verify, NamesWhatIsWrongAndLeavesTheVerdict) {
+    for (const Refused& each : refused()) {
+        meshbound::Verdict verdict;
+        verdict.cancelled = true;
+        const meshbound::Status status =
+            verify(each.original, each.reduced, each.bounds, {100, 100, each.multipliers}, verdict);
+        EXPECT_EQ(status.fault, each.fault) << each.what << ": " << status.message;
+        EXPECT_EQ(status.variable, each.variable) << each.what;
+        EXPECT_FALSE(status.message.empty()) << each.what;
+        EXPECT_TRUE(verdict.cancelled) << each.what;
+    }
+}
+
+TEST(Verify, SaysWhichOfTheTwoSurfacesIsAtFault) {
+    const Mesh good = meshes::plane(2, 2);
+    Mesh bad = good;
+    bad.triangles[3].x = 12;
+    meshbound::Verdict verdict;
+    EXPECT_EQ(verify(bad, good, {1}, {}, verdict).message,
+              "In the original surface: Triangle 3 names vertex 12, but the mesh has 9 vertices (counted from 0).");
+    const meshbound::Status status = verify(good, bad, {1}, {}, verdict);
+    EXPECT_EQ(status.message,
+              "In the reduced surface: Triangle 3 names vertex 12, but the mesh has 9 vertices (counted from 0).");
+    EXPECT_EQ(status.index, 3U);
+}
+
+/// Askew, so that rounding has its way.
+glm::dvec3 turned(glm::dvec3 p) {
+    return {0.36 * p.x + 0.48 * p.y - 0.8 * p.z + 0.1, -0.8 * p.x + 0.6 * p.y + 0.7,
+            0.48 * p.x + 0.64 * p.y + 0.6 * p.z + 0.3};
+}
+
+TEST(Verify, IsAccurateWhereTheSurfaceIsVeryWideInBounds) {
+    for (const double bound : {1e-3, 1e-6, 1e-9}) {
+        const auto lifted = [bound](glm::dvec3 p) { return turned(p + glm::dvec3(0, 0, 2 * bound)); };
+        const Mesh fine = meshes::mapped(meshes::plane(9, 7), turned),
+                   coarse = meshes::mapped(meshes::plane(2, 3), turned);
+        const Mesh higher = meshes::mapped(meshes::plane(2, 3), lifted);
+        EXPECT_LT(judge::judge(fine, coarse, {bound}, 5'000).ratio(), 1e-6) << bound;
+        EXPECT_NEAR(judge::judge(fine, higher, {bound}, 5'000).ratio(), 2, 1e-6) << bound;
+    }
+}
+
+TEST(Verify, TakesWhatIsFreeAsItComes) {
+    Mesh one = plane_with(meshes::linear_field, 4, 4), other = one;
+    value(one.variables[0], 3) = std::nan("");
+    other.variables.clear();
+    EXPECT_TRUE(judge::verdict_of(one, other, {0.01, infinity}).within_bounds());
+    const meshbound::Verdict free = judge::verdict_of(one, other, {infinity, infinity});
+    EXPECT_TRUE(free.within_bounds());
+    EXPECT_EQ(free.surface.from_original.samples, 0U) << "there is nothing to look for";
+}
+
+TEST(Verify, ReportsProgressThatNeverFalls) {
+    const Mesh mesh = plane_with(meshes::linear_field, 30, 30);
+    std::vector<double> steps;
+    meshbound::Verdict verdict;
+    ASSERT_TRUE(verify(mesh, mesh, {0.1, 0.1}, {}, verdict, [&](double progress) {
+                    steps.push_back(progress);
+                    return true;
+                }).ok());
+    EXPECT_GT(steps.size(), 100U);
+    EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
+    EXPECT_GE(steps.front(), 0);
+    EXPECT_EQ(steps.back(), 1);
+}
+
+TEST(Verify, ProvesNothingWhereItIsCancelled) {
+    const Mesh mesh = plane_with(meshes::linear_field, 30, 30);
+    for (const int calls : {0, 1, 5, 50}) {
+        int left = calls;
+        meshbound::Verdict verdict;
+        ASSERT_TRUE(verify(mesh, mesh, {0.1, 0.1}, {}, verdict, [&](double) { return left-- > 0; }).ok());
+        EXPECT_EQ(left, -1) << "it is not asked again";
+        EXPECT_TRUE(verdict.cancelled);
+        EXPECT_FALSE(verdict.within_bounds());
+        EXPECT_LT(verdict.surface.from_original.samples + verdict.surface.from_reduced.samples, 100'000U);
+    }
+}
+
 TEST(JointTree, FindsTheNearestOfAllTriangles) {
     Mesh mesh = meshes::torus(14, 10);
     meshes::add_usual_fields(mesh);
-    const judge::JointSpace space = judge::joint_space(mesh, {0.1, 0.5, 0.2, 0.3, 0.4});
-    const judge::JointSurface surface = judge::joint_surface(mesh, space);
-    const judge::JointTree tree(surface, space);
-    const judge::JointDistance metric(space.components);
+    const verification::JointSpace space = verification::joint_space(mesh, {0.1, 0.5, 0.2, 0.3, 0.4});
+    const verification::JointSurface surface = verification::joint_surface(mesh, space);
+    const verification::JointTree tree(surface, space);
+    const verification::JointDistance metric(space.components);
     meshes::Random random(1);
     for (int i = 0; i < 300; ++i) {
         std::vector<double> q(static_cast<std::size_t>(space.dimensions()));
@@ -224,12 +361,12 @@ TEST(JointTree, FindsTheNearestOfAllTriangles) {
 TEST(JointTree, FindsTheSmallestShareOfTheMultipliedBounds) {
     Mesh mesh = meshes::torus(8, 5);
     meshes::add_usual_fields(mesh);
-    const judge::JointSpace space = judge::joint_space(mesh, {0.1, 0.5, 0.2, 0.3, 0.4});
-    judge::JointSurface surface = judge::joint_surface(mesh, space);
+    const verification::JointSpace space = verification::joint_space(mesh, {0.1, 0.5, 0.2, 0.3, 0.4});
+    verification::JointSurface surface = verification::joint_surface(mesh, space);
     meshes::Random random(2);
     for (std::size_t v = 0; v < vertex_count(mesh); ++v) surface.multipliers.push_back(random.uniform(0.2, 2));
-    const judge::JointTree tree(surface, space);
-    const judge::JointDistance metric(space.components);
+    const verification::JointTree tree(surface, space);
+    const verification::JointDistance metric(space.components);
     std::vector<double> q(static_cast<std::size_t>(space.dimensions())), p = q;
     const auto share_at = [&](std::size_t triangle, double u, double v) {
         const auto& [a, b, c] = surface.triangles[triangle];
@@ -249,7 +386,7 @@ TEST(JointTree, FindsTheSmallestShareOfTheMultipliedBounds) {
             for (int i = 0; i <= steps; ++i)
                 for (int j = 0; i + j <= steps; ++j)
                     least = std::min(least, share_at(t, i / double(steps), j / double(steps)));
-        const judge::Foot foot = tree.nearest(q.data(), 0, 0);
+        const verification::Foot foot = tree.nearest(q.data(), 0, 0);
         EXPECT_LE(foot.nearest.distance, least * (1 + 1e-6));
         EXPECT_GT(foot.nearest.distance, 0.95 * least);
         EXPECT_NEAR(share_at(foot.triangle, foot.nearest.u, foot.nearest.v), foot.nearest.distance, 1e-6 * least);
@@ -261,10 +398,10 @@ TEST(Sampling, SpendsItsBudgetWhereTheSurfaceIsLarge) {
     const Mesh mesh =
         meshes::joined(meshes::plane(1, 1, 0.1, 0.1),
                        meshes::mapped(meshes::plane(1, 1), [](glm::dvec3 p) { return p + glm::dvec3(5, 0, 0); }));
-    const judge::JointSpace space = judge::joint_space(mesh, {0.01});
-    const judge::JointSurface surface = judge::joint_surface(mesh, space);
+    const verification::JointSpace space = verification::joint_space(mesh, {0.01});
+    const verification::JointSurface surface = verification::joint_surface(mesh, space);
     std::size_t on_small = 0, on_large = 0;
-    judge::sample_surface(surface, 10'000, [&](const judge::Sample& sample) {
+    verification::sample_surface(surface, 10'000, [&](const verification::Sample& sample) {
         ++(sample.triangle < 2 ? on_small : on_large);
         double sum = 0;
         for (double x : sample.barycentric) {
@@ -272,6 +409,7 @@ TEST(Sampling, SpendsItsBudgetWhereTheSurfaceIsLarge) {
             sum += x;
         }
         EXPECT_NEAR(sum, 1, 1e-15);
+        return true;
     });
     EXPECT_NEAR(static_cast<double>(on_small + on_large), 10'000, 100);
     EXPECT_GT(on_large, 50 * on_small);
@@ -280,11 +418,13 @@ TEST(Sampling, SpendsItsBudgetWhereTheSurfaceIsLarge) {
 
 TEST(Sampling, LeavesNoPartOfATriangleFarFromASample) {
     const Mesh mesh = meshes::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
-    const judge::JointSpace space = judge::joint_space(mesh, {1});
+    const verification::JointSpace space = verification::joint_space(mesh, {1});
     std::vector<glm::dvec2> samples;
-    judge::sample_surface(judge::joint_surface(mesh, space), 2'000, [&](const judge::Sample& sample) {
-        samples.push_back({sample.barycentric[1], sample.barycentric[2]});
-    });
+    verification::sample_surface(verification::joint_surface(mesh, space), 2'000,
+                                 [&](const verification::Sample& sample) {
+                                     samples.push_back({sample.barycentric[1], sample.barycentric[2]});
+                                     return true;
+                                 });
     meshes::Random random(3);
     for (int i = 0; i < 1000; ++i) {
         glm::dvec2 p(random.uniform(0, 1), random.uniform(0, 1));

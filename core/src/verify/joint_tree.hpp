@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "judge/fragments.hpp"
-#include "judge/joint_distance.hpp"
-#include "judge/joint_surface.hpp"
+#include "verify/fragments.hpp"
+#include "verify/joint_distance.hpp"
+#include "verify/joint_surface.hpp"
 
-namespace judge {
+namespace meshbound::verification {
 
 /// The nearest point of a surface, by its distance or, on a surface with multipliers, by distance / multiplier.
 struct Foot {
@@ -18,7 +18,7 @@ struct Foot {
 };
 
 /// A tree of boxes in the joint space over the triangles of a surface, long thin ones in fragments: boxes are around these,
-/// distances are to the whole triangle. The surface must outlive it.
+/// distances are to the whole triangle. The surface has a triangle, and must outlive it.
 class JointTree {
 public:
     JointTree(const JointSurface& surface, const JointSpace& space);
@@ -66,4 +66,4 @@ private:
     mutable std::uint32_t search_ = 0;
 };
 
-} // namespace judge
+} // namespace meshbound::verification

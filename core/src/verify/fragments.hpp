@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "judge/joint_surface.hpp"
+#include "verify/joint_surface.hpp"
 
-namespace judge {
+namespace meshbound::verification {
 
 /// A part of a triangle that a tree of boxes holds: its corners, in shares of the triangle's second and third vertex.
 struct Fragment {
@@ -28,4 +28,4 @@ struct Fragment {
 /// fragments of a triangle cover it. There are at most twice as many as triangles, or some hundred thousand more.
 std::vector<Fragment> cut_into_fragments(const JointSurface& surface);
 
-} // namespace judge
+} // namespace meshbound::verification

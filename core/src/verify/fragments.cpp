@@ -1,9 +1,9 @@
-#include "judge/fragments.hpp"
+#include "verify/fragments.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace judge {
+namespace meshbound::verification {
 namespace {
 
 /// A triangle whose longest edge is more than this many times its height is cut.
@@ -72,4 +72,4 @@ std::vector<Fragment> cut_into_fragments(const JointSurface& surface) {
     return fragments;
 }
 
-} // namespace judge
+} // namespace meshbound::verification

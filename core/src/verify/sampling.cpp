@@ -1,11 +1,11 @@
-#include "judge/sampling.hpp"
+#include "verify/sampling.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-namespace judge {
+namespace meshbound::verification {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -98,7 +98,7 @@ std::array<double, 3> inner_point(std::size_t i) {
 
 } // namespace
 
-void sample_surface(const JointSurface& surface, std::size_t budget, const std::function<void(const Sample&)>& visit) {
+void sample_surface(const JointSurface& surface, std::size_t budget, const std::function<bool(const Sample&)>& visit) {
     const std::vector<NewParts> parts = find_new_parts(surface);
     const double density = samples_per_length(surface, parts, budget);
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
@@ -106,20 +106,21 @@ void sample_surface(const JointSurface& surface, std::size_t budget, const std::
         for (int i = 0; i < 3; ++i) {
             Sample corner{t, {}};
             corner.barycentric[i] = 1;
-            if (parts[t].vertices[i]) visit(corner);
+            if (parts[t].vertices[i] && !visit(corner)) return;
             if (!parts[t].edges[i]) continue;
             const std::size_t on_edge = count(density * length(surface, triangle, i), budget);
             for (std::size_t k = 0; k < on_edge; ++k) {
                 Sample between{t, {}};
                 between.barycentric[(i + 1) % 3] = (static_cast<double>(k) + 0.5) / static_cast<double>(on_edge);
                 between.barycentric[i] = 1 - between.barycentric[(i + 1) % 3];
-                visit(between);
+                if (!visit(between)) return;
             }
         }
         if (is_segment(triangle)) continue;
         const std::size_t inside = count(density * density * area(surface, triangle), budget);
-        for (std::size_t k = 0; k < inside; ++k) visit({t, inner_point(k)});
+        for (std::size_t k = 0; k < inside; ++k)
+            if (!visit({t, inner_point(k)})) return;
     }
 }
 
-} // namespace judge
+} // namespace meshbound::verification
