@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
+#include <gtest/gtest.h>
 
 #include "meshbound/bounds.hpp"
 #include "meshes/shapes.hpp"
@@ -24,7 +25,7 @@ using namespace meshbound;
 /// One unit of length is the bound of position.
 inline Rows rows_of(const Mesh& mesh, const Surface& surface) {
     std::vector<ResolvedBound> bounds;
-    resolve_bounds(mesh, {{"position", absolute(1)}}, bounds);
+    EXPECT_TRUE(resolve_bounds(mesh, {{"position", absolute(1)}}, bounds).ok());
     return Rows(mesh, bounds, nullptr, surface.inputs());
 }
 

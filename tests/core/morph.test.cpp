@@ -294,7 +294,8 @@ TEST(Morph, OfPropagatedErrorsIsEmpty) {
     options.errors = ErrorAccounting::propagated;
     const Mesh mesh = meshes::sphere(6);
     Morph morph;
-    ASSERT_TRUE(make_morph({mesh, promise::reduced(mesh, promise::percent(3, 3), options)}, morph).ok());
+    const Reduction reduction = promise::reduced(mesh, promise::percent(3, 3), options);
+    ASSERT_TRUE(make_morph({mesh, reduction}, morph).ok());
     EXPECT_TRUE(morph.triangles.empty());
     EXPECT_TRUE(morph.finer.variables.empty());
 }

@@ -8,7 +8,7 @@
 #include "meshbound/mesh.hpp"
 #include "meshbound/morph.hpp"
 #include "meshbound/options.hpp"
-#include "meshbound/reduce.hpp"
+#include "meshbound/reduction.hpp"
 #include "meshbound/status.hpp"
 
 namespace meshbound {

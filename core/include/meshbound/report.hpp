@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "meshbound/bounds.hpp"
-#include "meshbound/validate.hpp"
+#include "meshbound/mesh_defects.hpp"
 
 namespace meshbound {
 

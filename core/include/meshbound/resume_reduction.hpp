@@ -4,7 +4,7 @@
 #include "meshbound/bounds.hpp"
 #include "meshbound/checkpoint.hpp"
 #include "meshbound/options.hpp"
-#include "meshbound/reduce.hpp"
+#include "meshbound/reduction.hpp"
 #include "meshbound/status.hpp"
 
 namespace meshbound {

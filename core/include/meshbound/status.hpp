@@ -36,7 +36,7 @@ enum class Fault {
 MESHBOUND_API std::string_view fault_name(Fault fault);
 
 /// The outcome of a call: fine, or a fault with a sentence that says what is wrong and where.
-struct Status {
+struct [[nodiscard]] Status {
     Fault fault = Fault::none;
     std::string message;  ///< for people: "Triangle 7 names vertex 12, but the mesh has 10 vertices (0 to 9)."
     std::string variable; ///< the variable at fault; empty where none is

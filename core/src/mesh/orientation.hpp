@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "meshbound/validate.hpp"
+#include "meshbound/mesh_defects.hpp"
 
 namespace meshbound {
 

@@ -1,5 +1,7 @@
 #include "meshbound/levels.hpp"
 
+#include "meshbound/validate.hpp"
+
 #include <new>
 #include <optional>
 #include <string>

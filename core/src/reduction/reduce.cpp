@@ -1,5 +1,7 @@
 #include "meshbound/reduce.hpp"
 
+#include "meshbound/validate.hpp"
+
 #include <new>
 #include <optional>
 #include <utility>

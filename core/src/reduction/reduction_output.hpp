@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "errors/error_model.hpp"
-#include "meshbound/reduce.hpp"
+#include "meshbound/reduction.hpp"
 #include "metric/rows.hpp"
 #include "reduction/sweep.hpp"
 #include "surface/surface.hpp"

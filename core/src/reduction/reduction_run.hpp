@@ -5,8 +5,9 @@
 
 #include "errors/error_model.hpp"
 #include "errors/tracked/linked_tracking.hpp"
+#include "meshbound/checkpoint.hpp"
 #include "meshbound/level_map.hpp"
-#include "meshbound/reduce.hpp"
+#include "meshbound/reduction.hpp"
 #include "metric/rows.hpp"
 #include "retriangulation/original_normals.hpp"
 #include "self_intersection/self_intersection_check.hpp"

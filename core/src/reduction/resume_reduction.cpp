@@ -1,5 +1,7 @@
 #include "meshbound/resume_reduction.hpp"
 
+#include "meshbound/validate.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <new>

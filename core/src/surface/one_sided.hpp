@@ -8,7 +8,7 @@
 
 #include "meshbound/map.hpp"
 #include "meshbound/mesh.hpp"
-#include "meshbound/reduce.hpp"
+#include "meshbound/reduction.hpp"
 #include "surface/surface.hpp"
 
 namespace meshbound {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "errors/tracked/tracking.hpp"
-#include "meshbound/reduce.hpp"
+#include "meshbound/reduction.hpp"
 #include "metric/rows.hpp"
 #include "surface/surface.hpp"
 #include "util/progress_reporter.hpp"
