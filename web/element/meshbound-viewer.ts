@@ -13,6 +13,7 @@ import { Session } from '../session/session.ts';
 import { answerOf, type Reduced, type SessionState, type Standing, standingOf } from '../session/session-state.ts';
 import { readOptionsFrom } from './attributes/read-options.ts';
 import './controls/bound-slider.ts';
+import { attributeName } from './attributes/attributes.ts';
 import { keepingAttributes, keepingFrom } from './attributes/keeping-attributes.ts';
 import { controlsStyle } from './controls/controls-style.ts';
 import type { SavedKind, SavedSurface } from './saving/download.ts';
@@ -38,10 +39,10 @@ import { english } from '../words/english.ts';
 import { firstView, sameView, settingsFor, type ViewSettings, type WantedView } from './attributes/view-settings.ts';
 import {
   asAttribute,
+  fromAttribute,
   methodAttributes,
   methodFrom,
-  propertyOf,
-  viewAttributes,
+  viewProperties,
 } from './attributes/viewer-attributes.ts';
 import { ViewerEvents } from './attributes/viewer-events.ts';
 import { ViewerProperties } from './attributes/viewer-properties.ts';
@@ -105,14 +106,7 @@ import { viewerStyle } from './viewer-style.ts';
  * @cssprop --meshbound-font - Family of text.
  */
 export class MeshboundViewer extends ViewerProperties {
-  static override properties = {
-    bounds: { noAccessor: true },
-    camera: { noAccessor: true },
-    levelCount: { noAccessor: true, attribute: 'level-count', type: Number },
-    level: { noAccessor: true, type: Number },
-    levelPixels: { noAccessor: true, attribute: 'level-pixels', type: Number },
-    drawnOnce: { state: true },
-  };
+  static override properties = { drawnOnce: { state: true } };
 
   static override styles = [tokens, controlsStyle, viewerStyle];
 
@@ -163,13 +157,6 @@ export class MeshboundViewer extends ViewerProperties {
     this.#probing.addEventListener('change', () => this.#probeChanged());
   }
 
-  /**
-   * The bounds as text: `position: 1%; pressure: 3%; velocity: 0.2`, in percent of the variable's extent or in its unit;
-   * `free` is no bound, `*` stands for every variable not named but identifiers. A variable that none reaches is free. What cannot be a
-   * bound is refused. Default: 1 % in space and 3 % in every variable. Read, the bounds in force.
-   *
-   * @attr
-   */
   get bounds(): string {
     return boundsText(asBounds(this.session.state.bounds));
   }
@@ -182,13 +169,6 @@ export class MeshboundViewer extends ViewerProperties {
     }
   }
 
-  /**
-   * Where the camera stands and what it looks at, x y z each, where the surface lies within distance 1 of the origin:
-   * `1.9 1.5 3.8 / 0 0 0`; two of these with `;` between where each side has a camera of its own. Null where all of the
-   * surface is in view, as at first.
-   *
-   * @attr
-   */
   get camera(): string | null {
     return this.#stage ? this.#stage.camera : this.#firstCamera;
   }
@@ -199,12 +179,6 @@ export class MeshboundViewer extends ViewerProperties {
     if (stage) stage.camera = text;
   }
 
-  /**
-   * How many nested levels of detail there are to be, with morphs between them: each has twice the bounds of the one before,
-   * the first has `bounds`. At most 6; default: 0, none.
-   *
-   * @attr level-count
-   */
   get levelCount(): number {
     return this.levels.state.count;
   }
@@ -214,12 +188,6 @@ export class MeshboundViewer extends ViewerProperties {
     if (this.#firstLevel !== null) this.levels.arriveAt(this.#firstLevel);
   }
 
-  /**
-   * Which level is shown: 0 the original, 1 (default) the finest, and so on; between two whole numbers the way from one to
-   * the other.
-   *
-   * @attr
-   */
   get level(): number {
     return this.levelCount > 0 ? this.levels.state.position : (this.#firstLevel ?? 1);
   }
@@ -229,12 +197,6 @@ export class MeshboundViewer extends ViewerProperties {
     if (this.levelCount > 0) this.levels.setPosition(this.#firstLevel);
   }
 
-  /**
-   * Has the level chosen by its size on screen, the coarsest whose error in space spans no more than this many pixels; null
-   * (default), and whenever `level` is set: it is not chosen so.
-   *
-   * @attr level-pixels
-   */
   get levelPixels(): number | null {
     return this.levels.state.pixels;
   }
@@ -272,7 +234,7 @@ export class MeshboundViewer extends ViewerProperties {
       src: surface?.address,
       bounds: surface && !areFirst(bounds, surface.variables) ? this.bounds : null,
     };
-    for (const name of viewAttributes) text[name] = asAttribute(this[propertyOf(name)]);
+    for (const property of viewProperties) text[attributeName(property)] = asAttribute(this[property]);
     const said = stateAttributes.filter((name) => typeof text[name] === 'string' && text[name] !== firstState[name]);
     return Object.fromEntries(said.map((name) => [name, text[name]]));
   }
@@ -281,15 +243,9 @@ export class MeshboundViewer extends ViewerProperties {
   set state(state: ViewerState) {
     const { bounds = null, src } = state;
     if (bounds !== this.state.bounds || (src && src !== this.state.src)) this.bounds = bounds;
-    for (const name of viewAttributes) this.#setAttributeOf(name, state[name] ?? null);
+    for (const property of viewProperties)
+      Object.assign(this, { [property]: fromAttribute(property, state[attributeName(property)] ?? null) });
     if (src && src !== this.state.src) this.src = src;
-  }
-
-  #setAttributeOf(name: (typeof viewAttributes)[number], value: string | null): void {
-    const property = propertyOf(name);
-    const isNumber = value !== null && property.startsWith('level');
-    const given = typeof this[property] === 'boolean' ? value !== null : isNumber ? Number(value) : value;
-    Object.assign(this, { [property]: given });
   }
 
   /** What is shown, and saved unless it is provisional: the answer at hand, or a level of detail of it. @internal */

@@ -1,28 +1,12 @@
-import type { Method } from '../../session/constraints/method.ts';
-import { stateAttributes } from './viewer-state.ts';
+import { firstMethod, type Method } from '../../session/constraints/method.ts';
+import { type Attribute, attributes, type Property, properties } from './attributes.ts';
+
+type ViewProperty = Exclude<Property, 'src' | 'bounds'>;
 
 /** What a state says beside address and bounds. */
-export const viewAttributes = stateAttributes.filter((name) => name !== 'src' && name !== 'bounds');
-
-/** Of attributes whose properties are called otherwise. */
-const properties = {
-  'refuse-piercing': 'refusePiercing',
-  'limit-to-feature-size': 'limitToFeatureSize',
-  'drop-small-components': 'dropSmallComponents',
-  'lock-points': 'lockPoints',
-  'lock-box': 'lockBox',
-  'lock-regions': 'lockRegions',
-  'bound-multiplier': 'boundMultiplier',
-  'focus-point': 'focusPoint',
-  'level-count': 'levelCount',
-  'level-pixels': 'levelPixels',
-} as const;
-
-export function propertyOf(name: (typeof viewAttributes)[number]) {
-  return name in properties
-    ? properties[name as keyof typeof properties]
-    : (name as Exclude<typeof name, keyof typeof properties>);
-}
+export const viewProperties = properties.filter(
+  (property): property is ViewProperty => property !== 'src' && property !== 'bounds' && attributes[property].isState,
+);
 
 /** Places between levels are said to two decimals. */
 export function asAttribute(value: string | boolean | number | null): string | null {
@@ -30,14 +14,15 @@ export function asAttribute(value: string | boolean | number | null): string | n
   return typeof value === 'boolean' ? (value ? '' : null) : value;
 }
 
+/** The value of a property whose attribute is this text; null: there is none. */
+export function fromAttribute(property: Property, text: string | null): string | boolean | number | null {
+  const { kind }: Attribute<unknown> = attributes[property];
+  if (kind === 'flag') return text !== null;
+  return kind === 'number' && text !== null ? Number(text) : text;
+}
+
 /** What a Method is made from. */
-export const methodAttributes = [
-  'errors',
-  'cost',
-  'refusePiercing',
-  'limitToFeatureSize',
-  'dropSmallComponents',
-] as const;
+export const methodAttributes = Object.keys(firstMethod) as (keyof Method)[];
 
 /** Of the two that are words, what is not known is as at first. */
 type WantedMethod = { [Name in keyof Method]: Method[Name] extends boolean ? boolean : Method[Name] | null };

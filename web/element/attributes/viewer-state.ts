@@ -1,53 +1,22 @@
 import { english } from '../../words/english.ts';
+import { type Attribute, type AttributeName, attributeName, attributes, properties } from './attributes.ts';
+
+const stateProperties = properties.filter((property) => attributes[property].isState);
 
 /**
  * What can be said of a viewer as attributes, in the order in which they are written. Data are never among them, only the
  * address that they come from.
  */
-export const stateAttributes = [
-  'src',
-  'bounds',
-  'errors',
-  'cost',
-  'refuse-piercing',
-  'limit-to-feature-size',
-  'drop-small-components',
-  'lock-points',
-  'lock-box',
-  'regions',
-  'lock-regions',
-  'bound-multiplier',
-  'focus-point',
-  'variable',
-  'component',
-  'show',
-  'colormap',
-  'range',
-  'view',
-  'edges',
-  'flat',
-  'cull',
-  'orthographic',
-  'clip',
-  'unlinked',
-  'camera',
-  'level-count',
-  'level',
-  'level-pixels',
-] as const;
-export type StateAttribute = (typeof stateAttributes)[number];
+export const stateAttributes = stateProperties.map(attributeName);
+export type StateAttribute = AttributeName;
 
 /** What attributes are where nothing is said: a state need not say it. */
-export const firstState: ViewerState = {
-  errors: 'tracked',
-  cost: 'introduced',
-  show: 'value',
-  colormap: 'viridis',
-  range: 'data',
-  view: 'split',
-  'level-count': '0',
-  level: '1',
-};
+export const firstState: ViewerState = Object.fromEntries(
+  stateProperties.flatMap((property) => {
+    const { meaning }: Attribute<unknown> = attributes[property];
+    return meaning === undefined ? [] : [[attributeName(property), meaning]];
+  }),
+);
 
 /** The attributes of a viewer that are not as at first; those without a value are empty. */
 export type ViewerState = Partial<Record<StateAttribute, string>>;
