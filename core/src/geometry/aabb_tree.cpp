@@ -4,6 +4,7 @@
 #include <bit>
 #include <functional>
 
+#include "geometry/longest_side.hpp"
 #include "util/indexing.hpp"
 
 namespace meshbound {
@@ -54,7 +55,7 @@ BoundingBox AabbTree::build(std::size_t node, Items first, Items last) {
         BoundingBox centres; // times two
         for (auto item = first; item != last; ++item) centres.include(item->box.lowest + item->box.highest);
         const glm::dvec3 side = centres.highest - centres.lowest;
-        const int axis = side.x >= side.y && side.x >= side.z ? 0 : side.y >= side.z ? 1 : 2;
+        const int axis = longest_side(side);
         const Items middle = first + (last - first + 1) / 2;
         if (middle != last)
             std::nth_element(first, middle, last, [axis](const Item& one, const Item& other) {

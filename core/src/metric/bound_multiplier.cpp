@@ -6,7 +6,7 @@
 #include "mesh/non_finite.hpp"
 #include "mesh/used_vertices.hpp"
 #include "metric/multipliers.hpp"
-#include "metric/rows.hpp"
+#include "metric/rounding_margin.hpp"
 
 namespace meshbound {
 

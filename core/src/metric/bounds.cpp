@@ -7,7 +7,7 @@
 #include "mesh/non_finite.hpp"
 #include "mesh/used_vertices.hpp"
 #include "metric/measured_bounds.hpp"
-#include "metric/rows.hpp"
+#include "metric/rounding_margin.hpp"
 #include "util/number_text.hpp"
 
 namespace meshbound {

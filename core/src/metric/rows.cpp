@@ -5,12 +5,10 @@
 #include <limits>
 
 #include "mesh/used_vertices.hpp"
+#include "metric/rounding_margin.hpp"
 
 namespace meshbound {
 namespace {
-
-/// Operations between a stored value and the error that is compared with its bound, each rounding once.
-constexpr double operations = 64;
 
 double unit_of(const ResolvedBound& bound) {
     if (std::isfinite(bound.absolute)) return bound.absolute;
@@ -94,11 +92,6 @@ Rows::Rows(const Mesh& mesh, const std::vector<ResolvedBound>& bounds, const Var
     for (const RowGroup& group : groups_)
         fill(variable_of(mesh, group.variable), group, unit(group), static_cast<std::size_t>(width_), inputs, used,
              values_);
-}
-
-double rounding_margin(const ResolvedBound& bound) {
-    if (std::isinf(bound.absolute)) return 0;
-    return operations * std::numeric_limits<double>::epsilon() * bound.extent / bound.absolute;
 }
 
 double squared_ratio(const double* difference, const std::vector<RowGroup>& groups) {

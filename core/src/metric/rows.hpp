@@ -68,13 +68,6 @@ private:
     std::vector<double> values_;
 };
 
-/// How far rounding can push an error beyond the bound, as a ratio to the bound: an error is a difference of
-/// interpolated values, a few dozen operations on numbers no larger than the extent. 0 where the variable is free.
-double rounding_margin(const ResolvedBound& bound);
-
-/// Above this margin a bound is refused as too fine: the guarantee would rest on rounding noise.
-inline constexpr double largest_rounding_margin = 1e-3;
-
 /// Largest ratio to its bound over the bounded groups of a row of differences, squared.
 double squared_ratio(const double* difference, const std::vector<RowGroup>& groups);
 

@@ -1,12 +1,11 @@
 #include "meshbound/levels.hpp"
 
-#include "meshbound/validate.hpp"
-
 #include <new>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "meshbound/validate.hpp"
 #include "metric/bound_multiplier.hpp"
 #include "reduction/check_options.hpp"
 #include "reduction/feature_limit.hpp"

@@ -5,17 +5,15 @@
 
 #include <glm/common.hpp>
 
+#include "mesh/position_at.hpp"
 #include "mesh/repeats_vertex.hpp"
 
 namespace meshbound {
 namespace {
 
 Box box_of(const Mesh& mesh, const glm::uvec3& triangle) {
-    const auto point = [&](int corner) {
-        const auto axis = [&](int i) { return value_at(mesh.position, triangle[corner], i); };
-        return glm::dvec3(axis(0), axis(1), axis(2));
-    };
-    const glm::dvec3 a = point(0), b = point(1), c = point(2);
+    const glm::dvec3 a = position_at(mesh, triangle.x), b = position_at(mesh, triangle.y),
+                     c = position_at(mesh, triangle.z);
     return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 

@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 
+#include "geometry/longest_side.hpp"
+
 namespace meshbound {
 namespace {
 
@@ -37,7 +39,7 @@ void Patches::cut(std::size_t node, Sample first, Sample last, double share) {
             highest = glm::max(highest, *it);
         }
         const glm::dvec3 side = highest - lowest;
-        cut.axis = side.x >= side.y && side.x >= side.z ? 0 : side.y >= side.z ? 1 : 2;
+        cut.axis = longest_side(side);
         const auto quantile = first + static_cast<std::ptrdiff_t>(share * static_cast<double>(last - first));
         std::nth_element(first, quantile, last,
                          [&](const glm::dvec3& p, const glm::dvec3& q) { return p[cut.axis] < q[cut.axis]; });

@@ -1,12 +1,11 @@
 #include "meshbound/reduce.hpp"
 
-#include "meshbound/validate.hpp"
-
 #include <new>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "meshbound/validate.hpp"
 #include "metric/bound_multiplier.hpp"
 #include "reduction/check_options.hpp"
 #include "reduction/feature_limit.hpp"

@@ -1,7 +1,5 @@
 #include "meshbound/resume_reduction.hpp"
 
-#include "meshbound/validate.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -10,8 +8,9 @@
 #include <vector>
 
 #include "geometry/round_up_to_float.hpp"
+#include "meshbound/validate.hpp"
 #include "metric/measured_bounds.hpp"
-#include "metric/rows.hpp"
+#include "metric/rounding_margin.hpp"
 #include "reduction/check_checkpoint.hpp"
 #include "reduction/check_options.hpp"
 #include "reduction/reduction_run.hpp"

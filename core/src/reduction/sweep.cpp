@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 
+#include "geometry/longest_side.hpp"
+
 namespace meshbound {
 namespace {
 
@@ -99,7 +101,7 @@ void Sweeper::sort_along_longest_axis() {
         high = glm::max(high, rows_.position(vertex));
     }
     const glm::dvec3 extent = high - low;
-    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const int axis = longest_side(extent);
     std::stable_sort(queue_.begin(), queue_.end(), [&](std::uint32_t a, std::uint32_t b) {
         return rows_.position(a)[axis] < rows_.position(b)[axis];
     });

@@ -8,6 +8,7 @@
 
 #include "mesh/check_arrays.hpp"
 #include "mesh/orientation.hpp"
+#include "mesh/position_at.hpp"
 #include "mesh/repeats_vertex.hpp"
 #include "reduction/removal.hpp"
 #include "surface/one_sided.hpp"
@@ -20,18 +21,17 @@ static_assert(most_variables <= std::numeric_limits<decltype(RemovalOutcome::var
 
 bool has_zero_area(const Mesh& mesh, const glm::uvec3& triangle) {
     glm::dvec3 p[3];
-    for (int corner = 0; corner < 3; ++corner)
-        for (int axis = 0; axis < 3; ++axis) p[corner][axis] = value_at(mesh.position, triangle[corner], axis);
+    for (int corner = 0; corner < 3; ++corner) p[corner] = position_at(mesh, triangle[corner]);
     return glm::cross(p[1] - p[0], p[2] - p[0]) == glm::dvec3(0);
 }
 
-MeshDefects find_oddities(const Mesh& mesh, const std::vector<char>& used) {
-    MeshDefects odd;
+MeshDefects find_defects(const Mesh& mesh, const std::vector<char>& used) {
+    MeshDefects defects;
     for (const glm::uvec3& triangle : mesh.triangles)
-        if (repeats_vertex(triangle)) ++odd.repeated_vertex_triangles;
-        else if (has_zero_area(mesh, triangle)) ++odd.zero_area_triangles;
-    odd.unused_vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
-    return odd;
+        if (repeats_vertex(triangle)) ++defects.repeated_vertex_triangles;
+        else if (has_zero_area(mesh, triangle)) ++defects.zero_area_triangles;
+    defects.unused_vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
+    return defects;
 }
 
 } // namespace
@@ -39,7 +39,7 @@ MeshDefects find_oddities(const Mesh& mesh, const std::vector<char>& used) {
 Status validate(const Mesh& mesh, MeshDefects* defects) {
     std::vector<char> used;
     if (Status status = check_arrays(mesh, used); !status.ok()) return status;
-    if (defects) *defects = find_oddities(mesh, used);
+    if (defects) *defects = find_defects(mesh, used);
     return {};
 }
 

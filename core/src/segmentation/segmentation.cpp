@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/orientation.hpp"
+#include "mesh/position_at.hpp"
 #include "mesh/repeats_vertex.hpp"
 #include "segmentation/both_sides.hpp"
 #include "segmentation/cell_cutter.hpp"
@@ -39,10 +40,7 @@ glm::dvec3 barycentric_at_vertex(const glm::uvec3& triangle, std::uint32_t verte
 }
 
 double area(const Mesh& mesh, const glm::uvec3& triangle) {
-    const auto point = [&](int corner) {
-        return glm::dvec3(value_at(mesh.position, triangle[corner], 0), value_at(mesh.position, triangle[corner], 1),
-                          value_at(mesh.position, triangle[corner], 2));
-    };
+    const auto point = [&](int corner) { return position_at(mesh, triangle[corner]); };
     return glm::length(glm::cross(point(1) - point(0), point(2) - point(0))) / 2;
 }
 

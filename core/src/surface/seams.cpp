@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mesh/position_at.hpp"
+
 namespace meshbound {
 namespace {
 
@@ -15,8 +17,8 @@ struct BoundaryEdge {
 };
 
 std::array<double, 3> position_of(const Mesh& mesh, const Surface& surface, std::uint32_t vertex) {
-    const std::uint32_t input = surface.input(vertex);
-    return {value_at(mesh.position, input, 0), value_at(mesh.position, input, 1), value_at(mesh.position, input, 2)};
+    const glm::dvec3 position = position_at(mesh, surface.input(vertex));
+    return {position.x, position.y, position.z};
 }
 
 } // namespace

@@ -8,14 +8,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "mesh/position_at.hpp"
 #include "mesh/used_vertices.hpp"
 
 namespace meshbound {
 namespace {
-
-glm::dvec3 position_of(const Mesh& mesh, std::uint32_t vertex) {
-    return {value_at(mesh.position, vertex, 0), value_at(mesh.position, vertex, 1), value_at(mesh.position, vertex, 2)};
-}
 
 /// Disjoint sets of vertices (union-find).
 class DisjointSets {
@@ -48,7 +45,7 @@ DisjointSets find_components(const Mesh& mesh, const Surface& surface) {
     for (std::uint32_t vertex = 0; vertex < used.size(); ++vertex)
         if (used[vertex]) by_position.push_back(vertex);
     const auto position = [&](std::uint32_t vertex) {
-        const glm::dvec3 p = position_of(mesh, vertex);
+        const glm::dvec3 p = position_at(mesh, vertex);
         return std::array{p.x, p.y, p.z};
     };
     std::sort(by_position.begin(), by_position.end(),
@@ -76,8 +73,8 @@ std::vector<Component> measure_components(const Mesh& mesh, const Multipliers& m
         if (surface.kind(vertex) == VertexKind::absent) continue;
         const std::uint32_t input = surface.input(vertex);
         Component& component = components[sets.of(input)];
-        component.lowest = glm::min(component.lowest, position_of(mesh, input));
-        component.highest = glm::max(component.highest, position_of(mesh, input));
+        component.lowest = glm::min(component.lowest, position_at(mesh, input));
+        component.highest = glm::max(component.highest, position_at(mesh, input));
         component.multiplier = std::min(component.multiplier, multipliers.at(input));
     }
     return components;
