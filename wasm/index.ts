@@ -52,7 +52,7 @@ export function reduce(mesh: Mesh, options: ReduceOptions): Promise<Reduction> {
 }
 
 /**
- * Resumes a reduction from a checkpoint, in a fraction of the time that a reduction from scratch takes, and keeps the same promise:
+ * Resumes a reduction from a checkpoint, in a fraction of the time that a reduction from scratch takes, and gives the same guarantee:
  * every bound holds between the original and the result. That is seldom quite as small and depends on the checkpoint: something
  * to show until the other one is there.
  *
@@ -66,7 +66,7 @@ export function resumeReduction(checkpoint: Checkpoint, options: ResumeOptions):
 
 /**
  * Reduces a mesh to nested levels of detail, one for each of the bounds, finest first: each continues from the one before, so
- * its vertices are a subset of the finer one's, and each keeps its own bounds against the original, as `reduce` promises.
+ * its vertices are a subset of the finer one's, and each keeps its own bounds against the original, as `reduce` guarantees.
  *
  * Runs and rejects as `reduce` does; with the code `bad_levels` where a bound falls from one level to the next or none rises.
  */

@@ -78,7 +78,7 @@ export interface ReduceOptions {
   /** What must stay as it is: every triangle whose own box meets one of these boxes, with its vertices. */
   lockedBoxes?: Box[];
   /**
-   * Leave out, and count, parts of the surface whose box has a diagonal within the bound of position; the promise is then
+   * Leave out, and count, parts of the surface whose box has a diagonal within the bound of position; the guarantee is then
    * about the rest. The largest part stays, as do parts with locked vertices. Default: false.
    */
   dropSmallComponents?: boolean;
@@ -119,7 +119,7 @@ export interface NonFinite {
   first: number;
 }
 
-/** What was promised and reached for one variable; errors and bounds in its unit. */
+/** What was guaranteed and reached for one variable; errors and bounds in its unit. */
 export interface VariableReport {
   name: string;
   components: number;

@@ -14,7 +14,7 @@ namespace {
 
 using namespace meshbound;
 
-/// What angle.hpp promises.
+/// What angle.hpp guarantees.
 constexpr double accuracy = 1e-13;
 
 constexpr int many = 200000;

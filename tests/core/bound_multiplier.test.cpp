@@ -12,13 +12,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "map_certificate.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -31,7 +31,9 @@ protected:
         options.bound_multiplier = "sharpness";
         return options;
     }
-    Reduction reduce(const Mesh& mesh, const Bounds& bounds) const { return promise::reduced(mesh, bounds, options()); }
+    Reduction reduce(const Mesh& mesh, const Bounds& bounds) const {
+        return guarantee::reduced(mesh, bounds, options());
+    }
 };
 EVERY_MODE(Focus);
 
@@ -43,17 +45,17 @@ double multiplier(const Mesh& mesh, std::uint32_t vertex) { return value_at(mesh
 
 /// The bounds free of the multiplier: it is a variable without a bound.
 Bounds bounds_of(double geometry, double variables) {
-    Bounds bounds = promise::percent(geometry, variables);
+    Bounds bounds = guarantee::percent(geometry, variables);
     bounds.push_back({"sharpness", unbounded()});
     return bounds;
 }
 
 /// The judge, who knows the multiplier at each point of the original, finds every bound kept, multiplied so.
 void expect_judge_agrees(const Mesh& mesh, const Reduction& reduction) {
-    const std::vector<double> bounds = promise::absolute_bounds(reduction);
+    const std::vector<double> bounds = guarantee::absolute_bounds(reduction);
     std::vector<double> multipliers;
     for (std::uint32_t v = 0; v < vertex_count(mesh); ++v) multipliers.push_back(multiplier(mesh, v));
-    const double claimed = promise::largest_ratio(reduction) + promise::hair;
+    const double claimed = guarantee::largest_ratio(reduction) + guarantee::hair;
     EXPECT_LE(judge::judge(mesh, reduction.mesh, bounds, 20'000, multipliers).ratio(), claimed);
     EXPECT_LE(judge::judge_boundary(mesh, reduction.mesh, bounds, 2'000, multipliers).ratio(), claimed);
 }
@@ -79,11 +81,11 @@ TEST_P(Focus, BoundsHoldAtEveryPointTimesTheMultiplierThere) {
                                   meshes::cylinder(24, 12)}) {
             const Mesh mesh = with_sharpness(plain, sharpness);
             const Reduction reduction = reduce(mesh, bounds_of(2, 6));
-            promise::expect_vertex_subset(mesh, reduction);
-            promise::expect_same_topology(mesh, reduction);
+            guarantee::expect_vertex_subset(mesh, reduction);
+            guarantee::expect_same_topology(mesh, reduction);
             expect_judge_agrees(mesh, reduction);
             EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size());
-            EXPECT_LE(promise::largest_ratio(reduction), 1);
+            EXPECT_LE(guarantee::largest_ratio(reduction), 1);
         }
 }
 
@@ -99,7 +101,8 @@ TEST_P(MappedFocus, TheMapProvesThem) {
             for (std::uint32_t v = 0; v < vertex_count(mesh); ++v) {
                 const double here = certificate.error_at_vertex(i, v) / multiplier(mesh, v);
                 const std::uint32_t triangle = reduction.map.images[v].triangle;
-                EXPECT_LE(here / variable.bound.absolute, reduction.triangle_errors[i].ratio[triangle] + promise::hair);
+                EXPECT_LE(here / variable.bound.absolute,
+                          reduction.triangle_errors[i].ratio[triangle] + guarantee::hair);
                 ratio = std::max(ratio, here);
             }
             for (const MapCrossing& x : reduction.map.crossings) {
@@ -107,7 +110,7 @@ TEST_P(MappedFocus, TheMapProvesThem) {
                 ratio = std::max(ratio, certificate.error_at_crossing(i, x) / (p + x.s * (q - p)));
             }
             ratio /= variable.bound.absolute;
-            EXPECT_LE(ratio, 1 + promise::hair) << variable.name;
+            EXPECT_LE(ratio, 1 + guarantee::hair) << variable.name;
             EXPECT_NEAR(ratio, variable.ratio, 1e-6) << variable.name;
         }
     }
@@ -128,8 +131,8 @@ TEST_P(Focus, KeepsMoreTrianglesWhereItIsSharp) {
 TEST_P(Focus, OneEverywhereChangesNothing) {
     const Mesh mesh = with_sharpness(meshes::noisy_sphere(10, 0.05, 3), [](glm::dvec3) { return 1.0; });
     const Reduction with = reduce(mesh, bounds_of(2, 6));
-    const Reduction without = promise::reduced(mesh, bounds_of(2, 6), GetParam().options());
-    EXPECT_TRUE(promise::same_bits(with.mesh, without.mesh));
+    const Reduction without = guarantee::reduced(mesh, bounds_of(2, 6), GetParam().options());
+    EXPECT_TRUE(guarantee::same_bits(with.mesh, without.mesh));
 }
 
 TEST_P(Focus, HoldsInEveryLevel) {

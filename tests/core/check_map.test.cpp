@@ -11,13 +11,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshbound/meshbound.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -32,9 +32,9 @@ struct Mapped {
     Reduction reduction;
 };
 
-Mapped mapped(Mesh mesh, const Bounds& bounds = promise::percent(2, 6)) {
+Mapped mapped(Mesh mesh, const Bounds& bounds = guarantee::percent(2, 6)) {
     meshes::add_usual_fields(mesh);
-    Reduction reduction = promise::reduced(mesh, bounds);
+    Reduction reduction = guarantee::reduced(mesh, bounds);
     return {std::move(mesh), std::move(reduction)};
 }
 
@@ -310,7 +310,7 @@ Mesh in_halves(Mesh mesh) {
 
 TEST(CheckMap, WhateverIsDamagedIsRefusedOrHarmless) {
     const std::vector<Mapped> pairs = {sound(), mapped(meshes::noisy_sphere(8, 0.05, 1)),
-                                       mapped(in_halves(meshes::sphere(8)), promise::percent(4, 12)),
+                                       mapped(in_halves(meshes::sphere(8)), guarantee::percent(4, 12)),
                                        mapped(meshes::three_sheets(8)), mapped(meshes::torus(24, 12))};
     constexpr std::size_t rounds = 4000;
     std::size_t refusals = 0;

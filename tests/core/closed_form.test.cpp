@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
 #include "meshes/voxel_surface.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -23,7 +23,7 @@ using namespace meshbound;
 class ClosedForm : public ModeTest {
 protected:
     Reduction reduce(const Mesh& mesh, const Bounds& bounds) const {
-        return promise::reduced(mesh, bounds, GetParam().options());
+        return guarantee::reduced(mesh, bounds, GetParam().options());
     }
 };
 EVERY_MODE(ClosedForm);
@@ -55,9 +55,9 @@ TEST_P(ClosedForm, APlaneWithLinearVariablesCollapsesToItsOutline) {
     Mesh mesh = meshes::plane(16, 8, 2, 1);
     meshes::add_scalar(mesh, "linear", meshes::linear_field);
     meshes::add_vector(mesh, "flow", [](glm::dvec3 p) { return glm::dvec3(p.x - p.y, 2 * p.y, 4 - p.x); });
-    const Reduction reduction = reduce(mesh, promise::percent(1e-4, 1e-4));
+    const Reduction reduction = reduce(mesh, guarantee::percent(1e-4, 1e-4));
     expect_rectangle(reduction, 2, 1);
-    promise::expect_everything(mesh, reduction);
+    guarantee::expect_everything(mesh, reduction);
 }
 
 TEST_P(ClosedForm, AnIrregularPlaneInAnyDirectionCollapsesToItsOutline) {
@@ -66,9 +66,9 @@ TEST_P(ClosedForm, AnIrregularPlaneInAnyDirectionCollapsesToItsOutline) {
         Mesh mesh = meshes::shuffled(meshes::flipped(meshes::plane(16, 16), 1000, seed), seed);
         mesh = meshes::mapped(mesh, [](glm::dvec3 p) { return glm::dvec3(p.x + p.y, p.y - 2 * p.x, 3 * p.x + p.y); });
         meshes::add_scalar(mesh, "linear", meshes::linear_field);
-        const Reduction reduction = reduce(mesh, promise::percent(1e-4, 1e-4));
+        const Reduction reduction = reduce(mesh, guarantee::percent(1e-4, 1e-4));
         EXPECT_EQ(reduction.mesh.triangles.size(), 2U);
-        promise::expect_everything(mesh, reduction, 2'000);
+        guarantee::expect_everything(mesh, reduction, 2'000);
     }
 }
 
@@ -100,7 +100,7 @@ TEST_P(ClosedForm, APiercedPlateKeepsItsHoles) {
         SCOPED_TRACE(holes);
         const Mesh mesh = meshes::pierced_plate(holes, 4);
         const Reduction reduction = reduce(mesh, {{"position", relative(1e-4)}});
-        promise::expect_same_topology(mesh, reduction);
+        guarantee::expect_same_topology(mesh, reduction);
         const std::size_t corners = 8U + 8U * static_cast<unsigned>(holes);
         EXPECT_EQ(reduction.vertices.size(), corners);
         EXPECT_EQ(reduction.mesh.triangles.size(), 2 * corners - 4 + 4 * static_cast<unsigned>(holes));
@@ -112,8 +112,8 @@ TEST_P(ClosedForm, ASurfaceWithoutBoundsKeepsOnlyItsTopology) {
     // Everything free: a sphere ends as a tetrahedron or near it, and stays closed.
     Mesh mesh = meshes::sphere(6);
     const Reduction reduction = reduce(mesh, {});
-    promise::expect_same_topology(mesh, reduction);
-    promise::expect_vertex_subset(mesh, reduction);
+    guarantee::expect_same_topology(mesh, reduction);
+    guarantee::expect_vertex_subset(mesh, reduction);
     EXPECT_GE(reduction.mesh.triangles.size(), 4U);
     EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 10);
 }

@@ -14,6 +14,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "map_certificate.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
@@ -22,7 +23,6 @@
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -31,8 +31,8 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 class Curves : public ModeTest {
 protected:
-    Reduction reduce(const Mesh& mesh, const Bounds& bounds = promise::percent(2, 8)) const {
-        return promise::reduced(mesh, bounds, GetParam().options());
+    Reduction reduce(const Mesh& mesh, const Bounds& bounds = guarantee::percent(2, 8)) const {
+        return guarantee::reduced(mesh, bounds, GetParam().options());
     }
 };
 EVERY_MODE(Curves);
@@ -94,7 +94,7 @@ void expect_regions(const Mesh& mesh, const Reduction& reduction) {
         part.mesh = region(reduction.mesh, label);
         part.report = reduction.report;
         const Mesh original = region(mesh, label);
-        promise::expect_judge_agrees(original, part, 5'000);
+        guarantee::expect_judge_agrees(original, part, 5'000);
         EXPECT_EQ(meshes::topology(part.mesh), meshes::topology(original));
     }
     const auto before = labels_at_vertices(mesh);
@@ -128,7 +128,7 @@ TEST_P(Curves, BordersOfRegionsAreKeptWithinTheBounds) {
              {meshes::plane(20, 20), meshes::terrain(5, 3), meshes::noisy_sphere(10, 0.03, 5), meshes::torus(24, 12)}) {
             const Mesh mesh = labelled(with_fields(plain), labels);
             const Reduction reduction = reduce(mesh);
-            promise::expect_everything(mesh, reduction, 5'000);
+            guarantee::expect_everything(mesh, reduction, 5'000);
             expect_regions(mesh, reduction);
             EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size());
         }
@@ -147,8 +147,8 @@ TEST_P(Curves, BordersGetShorter) {
 TEST_P(Curves, ManySmallRegionsKeepTheirTopology) {
     for (const Mesh& plain : {meshes::plane(12, 12), meshes::sphere(6)}) {
         const Mesh mesh = labelled(with_fields(plain), noise);
-        const Reduction reduction = reduce(mesh, promise::percent(20, 50));
-        promise::expect_everything(mesh, reduction, 5'000);
+        const Reduction reduction = reduce(mesh, guarantee::percent(20, 50));
+        guarantee::expect_everything(mesh, reduction, 5'000);
         expect_regions(mesh, reduction);
     }
 }
@@ -157,14 +157,14 @@ TEST_P(Curves, OneLabelForAllChangesNothing) {
     const Mesh plain = with_fields(meshes::noisy_sphere(8, 0.05, 3));
     Mesh mesh = labelled(plain, [](glm::dvec3) { return 9; });
     const Reduction with = reduce(mesh), without = reduce(plain);
-    EXPECT_TRUE(promise::same_bits(with.mesh, without.mesh));
+    EXPECT_TRUE(guarantee::same_bits(with.mesh, without.mesh));
     EXPECT_EQ(with.mesh.regions, std::vector<std::int32_t>(with.mesh.triangles.size(), 9));
 }
 
 TEST_P(Curves, TwoHalvesOfABallDoNotCollapseIntoOneTriangle) {
     const Mesh mesh = labelled(meshes::sphere(4), [](glm::dvec3 p) { return p.z < 0 ? 0 : 1; });
     const Reduction reduction = reduce(mesh, {{"position", relative(1)}});
-    promise::expect_same_topology(mesh, reduction);
+    guarantee::expect_same_topology(mesh, reduction);
     EXPECT_GE(reduction.mesh.triangles.size(), 4U);
     std::set<std::set<std::uint32_t>> triangles;
     for (const glm::uvec3& t : reduction.mesh.triangles)
@@ -183,7 +183,7 @@ TEST_P(MappedCurves, TheMapIsContinuousAcrossThem) {
         EXPECT_THAT(certificate.faults(), testing::IsEmpty());
         const std::vector<double> errors = certificate.largest_errors();
         for (std::size_t i = 0; i < errors.size(); ++i)
-            EXPECT_LE(errors[i], reduction.report.variables[i].bound.absolute * (1 + promise::hair));
+            EXPECT_LE(errors[i], reduction.report.variables[i].bound.absolute * (1 + guarantee::hair));
         // A border edge stays on one border edge.
         if (mesh.regions.empty()) continue;
         std::set<Edge> reduced;
@@ -244,7 +244,7 @@ TEST_P(MappedCurves, TheSegmentationKnowsTheSideOfAFlatCell) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
         const Mesh mesh = labelled(meshes::jittered(meshes::plane(10, 10), 0.15, seed), noise);
-        expect_cells_in_their_regions(mesh, reduce(mesh, promise::percent(20, 50)));
+        expect_cells_in_their_regions(mesh, reduce(mesh, guarantee::percent(20, 50)));
     }
 }
 
@@ -300,7 +300,7 @@ TEST_P(Curves, NoCrackOpensAlongASeam) {
         const auto before = boundary_places(mesh);
         for (const auto& edge : before) ASSERT_EQ(before.count(edge), 2U);
         const Reduction reduction = reduce(mesh);
-        promise::expect_everything(mesh, reduction, 5'000);
+        guarantee::expect_everything(mesh, reduction, 5'000);
         const auto after = boundary_places(reduction.mesh);
         for (const auto& edge : after) EXPECT_EQ(after.count(edge), 2U) << "a crack";
         EXPECT_LT(after.size(), before.size());
@@ -334,17 +334,17 @@ Mesh slit_plane(double held = -1) {
 TEST_P(Curves, ASlitStaysOpen) {
     const Mesh mesh = slit_plane();
     ASSERT_EQ(meshes::topology(mesh).boundary_loops, 2U);
-    const Reduction reduction = promise::reduced(mesh, {{"position", relative(1)}}, GetParam().options());
+    const Reduction reduction = guarantee::reduced(mesh, {{"position", relative(1)}}, GetParam().options());
     EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 2);
-    promise::expect_same_topology(mesh, reduction);
+    guarantee::expect_same_topology(mesh, reduction);
 }
 
 /// Found by the fuzzer: without the vertex that held them apart, the two were one.
 TEST_P(Curves, TwoSlitsStayApart) {
     const Mesh mesh = slit_plane(0.5);
-    const Reduction reduction = promise::reduced(mesh, {{"position", relative(1)}}, GetParam().options());
+    const Reduction reduction = guarantee::reduced(mesh, {{"position", relative(1)}}, GetParam().options());
     EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 2);
-    promise::expect_same_topology(mesh, reduction);
+    guarantee::expect_same_topology(mesh, reduction);
 }
 
 std::size_t on_seam(const Reduction& reduction) {
@@ -362,7 +362,7 @@ TEST_P(Curves, ABoundHoldsOnBothSidesOfASeam) {
     meshes::add_scalar(high, "f", [](glm::dvec3) { return 0.0; });
     for (const Mesh& mesh : {meshes::joined(low, high), meshes::joined(high, low)}) {
         const Reduction reduction = reduce(mesh, {{"position", relative(0.1)}, {"f", absolute(0.05)}});
-        promise::expect_everything(mesh, reduction);
+        guarantee::expect_everything(mesh, reduction);
         const Reduction without = reduce(mesh, {{"position", relative(0.1)}});
         EXPECT_EQ(on_seam(without), 2 * 2) << "two ends on either side";
         EXPECT_GT(on_seam(reduction), 2 * 8);
@@ -373,7 +373,7 @@ TEST_P(Curves, LockedVerticesOnThemStay) {
     const Mesh mesh = labelled(meshes::plane(8, 8), [](glm::dvec3 p) { return p.x < 0.5 ? 1 : 2; });
     Options options = GetParam().options();
     options.locked = {4 + 9 * 3};
-    const Reduction reduction = promise::reduced(mesh, {{"position", relative(0.1)}}, options);
+    const Reduction reduction = guarantee::reduced(mesh, {{"position", relative(0.1)}}, options);
     EXPECT_TRUE(std::binary_search(reduction.vertices.begin(), reduction.vertices.end(), options.locked[0]));
     EXPECT_EQ(border(reduction.mesh).size(), 2U);
 }
@@ -382,7 +382,7 @@ TEST_P(Curves, ALockedRegionStaysAsItIs) {
     const Mesh mesh = labelled(with_fields(meshes::noisy_sphere(8, 0.03, 5)), wedges);
     Options options = GetParam().options();
     options.locked_regions = {2};
-    const Reduction reduction = promise::reduced(mesh, promise::percent(3, 12), options);
+    const Reduction reduction = guarantee::reduced(mesh, guarantee::percent(3, 12), options);
     const auto triangles_of = [](const Mesh& of, const std::vector<std::uint32_t>& names) {
         std::set<std::set<std::uint32_t>> found;
         for (const glm::uvec3& t : region(of, 2).triangles) found.insert({names[t.x], names[t.y], names[t.z]});
@@ -396,7 +396,7 @@ TEST_P(Curves, ALockedRegionStaysAsItIs) {
 
     options.locked_regions = {2, 99};
     Reduction none;
-    const Status status = meshbound::reduce(mesh, promise::percent(1, 1), options, none);
+    const Status status = meshbound::reduce(mesh, guarantee::percent(1, 1), options, none);
     EXPECT_EQ(status.fault, Fault::bad_option);
     EXPECT_EQ(status.index, 1U);
 }
@@ -405,9 +405,9 @@ TEST_P(Curves, LevelsKeepThem) {
     const Mesh mesh = labelled(with_fields(meshes::noisy_sphere(10, 0.03, 5)), wedges);
     LevelOptions how{GetParam().options(), true, true};
     Levels levels;
-    ASSERT_TRUE(reduce_levels(mesh, {promise::percent(1, 4), promise::percent(3, 12)}, how, levels).ok());
+    ASSERT_TRUE(reduce_levels(mesh, {guarantee::percent(1, 4), guarantee::percent(3, 12)}, how, levels).ok());
     for (const Reduction& level : levels.levels) {
-        promise::expect_everything(mesh, level, 5'000);
+        guarantee::expect_everything(mesh, level, 5'000);
         expect_regions(mesh, level);
     }
 }
@@ -416,10 +416,10 @@ TEST_P(Curves, AnyNumberOfThreadsGivesTheSameBytes) {
     const Mesh mesh = labelled(with_fields(meshes::terrain(7, 3)), wedges);
     Options options = GetParam().options();
     options.threads = 1;
-    const Reduction one = promise::reduced(mesh, promise::percent(1, 4), options);
+    const Reduction one = guarantee::reduced(mesh, guarantee::percent(1, 4), options);
     options.threads = 4;
-    const Reduction four = promise::reduced(mesh, promise::percent(1, 4), options);
-    EXPECT_TRUE(promise::same_bits(one.mesh, four.mesh));
+    const Reduction four = guarantee::reduced(mesh, guarantee::percent(1, 4), options);
+    EXPECT_TRUE(guarantee::same_bits(one.mesh, four.mesh));
     EXPECT_EQ(one.mesh.regions, four.mesh.regions);
 }
 
@@ -427,7 +427,7 @@ TEST_P(Curves, TooFewLabelsAreRefused) {
     Mesh mesh = meshes::plane(4, 4);
     mesh.regions = {1, 2, 3};
     Reduction reduction;
-    const Status status = meshbound::reduce(mesh, promise::percent(1, 1), GetParam().options(), reduction);
+    const Status status = meshbound::reduce(mesh, guarantee::percent(1, 1), GetParam().options(), reduction);
     EXPECT_EQ(status.fault, Fault::wrong_value_count);
 }
 

@@ -14,6 +14,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "map_certificate.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
@@ -23,7 +24,6 @@
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -32,8 +32,8 @@ using meshes::one_sided;
 
 class DoubleSided : public ModeTest {
 protected:
-    Reduction reduce(const Mesh& mesh, const Bounds& bounds = promise::percent(2, 8)) const {
-        return promise::reduced(mesh, bounds, GetParam().options());
+    Reduction reduce(const Mesh& mesh, const Bounds& bounds = guarantee::percent(2, 8)) const {
+        return guarantee::reduced(mesh, bounds, GetParam().options());
     }
 };
 EVERY_MODE(DoubleSided);
@@ -92,7 +92,7 @@ void expect_both_sides_everywhere(const Mesh& mesh) {
     }
 }
 
-/// What is promised of one side; its map, seen from one side.
+/// What is guaranteed of one side; its map, seen from one side.
 void expect_certified(const Mesh& mesh, const Reduction& reduction) {
     if (reduction.map.images.empty()) return;
     const Mesh original = one_sided(mesh);
@@ -136,11 +136,11 @@ void expect_segmented(const Mesh& mesh, const Reduction& reduction) {
 }
 
 void expect_everything(const Mesh& mesh, const Reduction& reduction) {
-    promise::expect_vertex_subset(mesh, reduction);
-    promise::expect_judge_agrees(mesh, reduction, 5'000);
+    guarantee::expect_vertex_subset(mesh, reduction);
+    guarantee::expect_judge_agrees(mesh, reduction, 5'000);
     const Reduction one = one_sided(reduction);
-    promise::expect_same_topology(one_sided(mesh), one);
-    promise::expect_judge_agrees(one_sided(mesh), one, 5'000);
+    guarantee::expect_same_topology(one_sided(mesh), one);
+    guarantee::expect_judge_agrees(one_sided(mesh), one, 5'000);
     expect_certified(mesh, reduction);
     expect_segmented(mesh, reduction);
     for (const TriangleErrors& errors : reduction.triangle_errors)
@@ -236,7 +236,7 @@ TEST_P(DoubleSided, WhichSideComesFirstBearsOnNothing) {
     EXPECT_NEAR(double(reduction.mesh.triangles.size()), double(reduce(with_backs(one)).mesh.triangles.size()),
                 0.1 * double(reduction.mesh.triangles.size()));
     expect_both_sides_everywhere(reduction.mesh);
-    promise::expect_judge_agrees(mesh, reduction, 5'000);
+    guarantee::expect_judge_agrees(mesh, reduction, 5'000);
     expect_segmented(mesh, reduction);
 }
 
@@ -279,7 +279,7 @@ TEST_P(DoubleSided, ASingleSideThatMeetsTwoIsNotTurned) {
         if (meshes::point(mesh, t.x).x + meshes::point(mesh, t.y).x + meshes::point(mesh, t.z).x > 1.5) t = turned(t);
     const Reduction reduction = reduce(mesh);
     EXPECT_EQ(reduction.report.defects.flipped_triangles, 0U);
-    promise::expect_judge_agrees(mesh, reduction, 5'000);
+    guarantee::expect_judge_agrees(mesh, reduction, 5'000);
     expect_segmented(mesh, reduction);
 }
 
@@ -304,7 +304,7 @@ TEST_P(DoubleSided, EachSideKeepsItsOwnLabel) {
         EXPECT_EQ(up > 0, reduction.mesh.regions[t] == 1 || reduction.mesh.regions[t] == 2);
     }
     expect_segmented(mesh, reduction);
-    promise::expect_judge_agrees(mesh, reduction, 5'000);
+    guarantee::expect_judge_agrees(mesh, reduction, 5'000);
 }
 
 TEST_P(DoubleSided, AreasOfRegionsCountCopiesOnce) {
@@ -348,7 +348,7 @@ TEST_P(DoubleSided, AMoebiusBandWithBothSidesHasNothingToTurn) {
     EXPECT_EQ(reduction.report.defects.flipped_triangles, 0U);
     EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 2);
     expect_both_sides_everywhere(reduction.mesh);
-    promise::expect_judge_agrees(mesh, reduction, 5'000);
+    guarantee::expect_judge_agrees(mesh, reduction, 5'000);
     expect_segmented(mesh, reduction);
 }
 
@@ -358,7 +358,7 @@ TEST_P(DoubleSided, ABookOfTwoSidedPages) {
     const Reduction reduction = reduce(mesh);
     EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 4);
     expect_both_sides_everywhere(reduction.mesh);
-    promise::expect_judge_agrees(mesh, reduction, 5'000);
+    guarantee::expect_judge_agrees(mesh, reduction, 5'000);
     expect_segmented(mesh, reduction);
 }
 
@@ -366,7 +366,7 @@ TEST_P(DoubleSided, WhatIsLockedStaysOnBothSides) {
     const Mesh mesh = with_backs(bumpy());
     Options options = GetParam().options();
     options.locked_boxes = {{{0.1, 0.1, -1}, {0.4, 0.4, 1}}};
-    const Reduction reduction = promise::reduced(mesh, promise::percent(5, 20), options);
+    const Reduction reduction = guarantee::reduced(mesh, guarantee::percent(5, 20), options);
     std::set<std::vector<std::uint32_t>> left;
     for (const glm::uvec3& t : reduction.mesh.triangles) {
         const Corners c = corners({reduction.vertices[t.x], reduction.vertices[t.y], reduction.vertices[t.z]});
@@ -393,7 +393,7 @@ TEST_P(DoubleSided, SmallPartsAreCountedWithBothSides) {
     mesh = with_backs(mesh);
     Options options = GetParam().options();
     options.drop_small_components = true;
-    const Reduction reduction = promise::reduced(mesh, {{"position", absolute(0.01)}}, options);
+    const Reduction reduction = guarantee::reduced(mesh, {{"position", absolute(0.01)}}, options);
     EXPECT_EQ(reduction.report.dropped.components, 1U);
     EXPECT_EQ(reduction.report.dropped.triangles, 2U);
     EXPECT_EQ(reduction.mesh.triangles.size(), 4U);
@@ -403,8 +403,8 @@ TEST_P(DoubleSided, PiercingIsRefusedAsOfOneSide) {
     const Mesh one = bumpy(), mesh = with_backs(one);
     Options options = GetParam().options();
     options.refuse_piercing = true;
-    const Reduction expected = promise::reduced(one, promise::percent(5, 20), options);
-    const Reduction reduction = promise::reduced(mesh, promise::percent(5, 20), options);
+    const Reduction expected = guarantee::reduced(one, guarantee::percent(5, 20), options);
+    const Reduction reduction = guarantee::reduced(mesh, guarantee::percent(5, 20), options);
     EXPECT_EQ(one_sided(reduction.mesh).triangles, expected.mesh.triangles);
 }
 
@@ -414,7 +414,7 @@ TEST(DoubleSidedLevels, LinksAndMorphsHaveBothSides) {
     options.maps = options.morphs = true;
     Levels levels;
     const Status status = reduce_levels(
-        mesh, {promise::percent(0.5, 2), promise::percent(2, 6), promise::percent(5, 15)}, options, levels);
+        mesh, {guarantee::percent(0.5, 2), guarantee::percent(2, 6), guarantee::percent(5, 15)}, options, levels);
     ASSERT_TRUE(status.ok()) << status.message;
     ASSERT_EQ(levels.morphs.size(), 3U);
     const Mesh* finer = &mesh;
@@ -429,17 +429,17 @@ TEST(DoubleSidedOnward, ACheckpointIsReducedOnBothSides) {
     const Mesh mesh = half_double_sided();
     Reduction reduction, onward;
     Checkpoint checkpoint;
-    ASSERT_TRUE(meshbound::reduce(mesh, promise::percent(2, 8), {}, reduction, {}, &checkpoint).ok());
-    const Status status = resume_reduction(checkpoint, promise::percent(3, 12), {}, onward);
+    ASSERT_TRUE(meshbound::reduce(mesh, guarantee::percent(2, 8), {}, reduction, {}, &checkpoint).ok());
+    const Status status = resume_reduction(checkpoint, guarantee::percent(3, 12), {}, onward);
     ASSERT_TRUE(status.ok()) << status.message;
     EXPECT_LT(onward.mesh.triangles.size(), checkpoint.mesh.triangles.size());
     EXPECT_EQ(onward.report.defects.two_sided_triangles, reduction.report.defects.two_sided_triangles);
-    promise::expect_judge_agrees(mesh, onward, 5'000);
+    guarantee::expect_judge_agrees(mesh, onward, 5'000);
 }
 
 TEST(DoubleSidedMap, AMapMayNameEitherSide) {
     const Mesh mesh = half_double_sided();
-    Reduction reduction = promise::reduced(mesh, promise::percent(2, 8));
+    Reduction reduction = guarantee::reduced(mesh, guarantee::percent(2, 8));
     for (SurfacePoint& place : reduction.map.images) {
         const std::uint32_t next = place.triangle + 1;
         if (next >= reduction.mesh.triangles.size()) continue;
@@ -472,9 +472,9 @@ TEST(DoubleSidedRandom, TriangleSoupsOnFewPoints) {
         if (seed % 2)
             for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
                 mesh.regions.push_back(random.uniform(0, 1) < 0.2 ? 1 : 0);
-        const Reduction reduction = promise::reduced(mesh, promise::percent(5, 10));
-        promise::expect_vertex_subset(mesh, reduction);
-        promise::expect_judge_agrees(mesh, reduction, 500);
+        const Reduction reduction = guarantee::reduced(mesh, guarantee::percent(5, 10));
+        guarantee::expect_vertex_subset(mesh, reduction);
+        guarantee::expect_judge_agrees(mesh, reduction, 500);
         Segmentation segmentation;
         const Status status = segment({mesh, reduction}, segmentation);
         EXPECT_TRUE(status.ok()) << status.message;

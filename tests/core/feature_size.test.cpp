@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/near_lobes.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
-#include "promise.hpp"
 #include "self_intersection/self_intersections.hpp"
 
 namespace {
@@ -107,12 +107,12 @@ TEST(FeatureLimitTest, LimitsTheBoundOfPosition) {
     options.limit_to_feature_size = true;
     for (const meshes::Exhibit& exhibit : meshes::near_lobes()) {
         SCOPED_TRACE(exhibit.name);
-        const Reduction reduction = promise::reduced(exhibit.mesh, {{"position", relative(0.02)}}, options);
+        const Reduction reduction = guarantee::reduced(exhibit.mesh, {{"position", relative(0.02)}}, options);
         ASSERT_TRUE(reduction.report.feature_size.has_value());
         EXPECT_EQ(reduction.report.variables[0].bound.absolute, *reduction.report.feature_size / 2);
         EXPECT_TRUE(judge::self_intersections(reduction.mesh).empty());
         EXPECT_LT(reduction.mesh.triangles.size(), exhibit.mesh.triangles.size());
-        promise::expect_everything(exhibit.mesh, reduction);
+        guarantee::expect_everything(exhibit.mesh, reduction);
     }
 }
 
@@ -145,7 +145,7 @@ TEST(FeatureLimitTest, LeavesAFinerBound) {
     Options options;
     options.limit_to_feature_size = true;
     const Mesh mesh = meshes::two_sheets(20, 0.05);
-    const Reduction fine = promise::reduced(mesh, {{"position", absolute(0.001)}}, options);
+    const Reduction fine = guarantee::reduced(mesh, {{"position", absolute(0.001)}}, options);
     EXPECT_FALSE(fine.report.feature_size.has_value());
     EXPECT_EQ(fine.report.variables[0].bound.absolute, 0.001);
 }
@@ -174,9 +174,9 @@ TEST(FeatureLimitTest, HoldsInEveryLevel) {
     options.reduction.limit_to_feature_size = true;
     const Mesh mesh = meshes::two_sheets(20, 0.02);
     Levels levels;
-    ASSERT_TRUE(
-        reduce_levels(mesh, {promise::percent(0.1, 1), promise::percent(2, 1), promise::percent(5, 1)}, options, levels)
-            .ok());
+    ASSERT_TRUE(reduce_levels(mesh, {guarantee::percent(0.1, 1), guarantee::percent(2, 1), guarantee::percent(5, 1)},
+                              options, levels)
+                    .ok());
     const double size = levels.levels[0].report.feature_size.value();
     EXPECT_LT(levels.levels[0].report.variables[0].bound.absolute, size / 2);
     EXPECT_EQ(levels.levels[1].report.variables[0].bound.absolute, size / 2);

@@ -11,11 +11,11 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -74,7 +74,7 @@ TEST_P(FoldsTest, NoTriangleTurnsFartherThanTheOriginalAtItsCorners) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
         const Mesh& mesh = exhibit.mesh;
-        const Reduction reduction = promise::reduced(mesh, promise::percent(2, 10), GetParam().options());
+        const Reduction reduction = guarantee::reduced(mesh, guarantee::percent(2, 10), GetParam().options());
         const std::vector<glm::dvec3> normals = vertex_normals(mesh);
         std::vector<double> least(normals.size(), 0);
         for (const glm::uvec3& t : mesh.triangles)
@@ -88,7 +88,7 @@ TEST_P(FoldsTest, AreCountedBeforeAndAfter) {
     std::size_t before = 0;
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
-        const Reduction reduction = promise::reduced(exhibit.mesh, promise::percent(2, 10), GetParam().options());
+        const Reduction reduction = guarantee::reduced(exhibit.mesh, guarantee::percent(2, 10), GetParam().options());
         expect_count(reduction.report.flipped_normals_before, count_turned(exhibit.mesh, exhibit.mesh.triangles));
         expect_count(reduction.report.flipped_normals_after, count_turned(exhibit.mesh, in_original(reduction)));
         before += reduction.report.flipped_normals_before;
@@ -102,7 +102,7 @@ TEST_P(FoldsTest, NeverComeAboutOnASphere) {
     for (const double percent : {0.3, 1.0, 3.0, 10.0}) {
         SCOPED_TRACE(percent);
         const Reduction reduction =
-            promise::reduced(mesh, {{"position", relative(percent / 100)}}, GetParam().options());
+            guarantee::reduced(mesh, {{"position", relative(percent / 100)}}, GetParam().options());
         EXPECT_EQ(reduction.report.flipped_normals_before, 0U);
         EXPECT_EQ(reduction.report.flipped_normals_after, 0U);
         EXPECT_EQ(count_turned(mesh, in_original(reduction))[0], 0U);

@@ -8,12 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -24,7 +24,7 @@ protected:
     Reduction reduce(const Mesh& mesh, const Bounds& bounds, std::vector<std::uint32_t> locked = {}) const {
         Options options = GetParam().options();
         options.locked = std::move(locked);
-        return promise::reduced(mesh, bounds, options);
+        return guarantee::reduced(mesh, bounds, options);
     }
 };
 EVERY_MODE(HeldBack);
@@ -100,7 +100,7 @@ TEST_P(HeldBack, LockedVerticesStay) {
     const Reduction reduction = reduce(mesh, {{"position", relative(0.5)}}, locked);
     for (const std::uint32_t vertex : locked) EXPECT_TRUE(stays(reduction, vertex)) << vertex;
     EXPECT_LE(reduction.vertices.size(), 4U + 4U) << "only what is locked, and the corners";
-    promise::expect_everything(mesh, reduction, 2'000);
+    guarantee::expect_everything(mesh, reduction, 2'000);
 }
 
 TEST_P(HeldBack, NothingChangesWhereEverythingIsLocked) {
@@ -109,7 +109,7 @@ TEST_P(HeldBack, NothingChangesWhereEverythingIsLocked) {
     std::vector<std::uint32_t> all(vertex_count(mesh));
     for (std::uint32_t v = 0; v < all.size(); ++v) all[v] = v;
     const Reduction reduction = reduce(mesh, {{"*", relative(1)}}, all);
-    EXPECT_TRUE(promise::same_bits(reduction.mesh, mesh));
+    EXPECT_TRUE(guarantee::same_bits(reduction.mesh, mesh));
     EXPECT_EQ(reduction.report.refused.locked, all.size());
 }
 
@@ -146,7 +146,7 @@ TEST_P(HeldBack, AJumpStaysAJumpWithinItsBound) {
                         bound + slope * std::sqrt(2.0) * position_bound)
                 << p.x << ", " << p.y;
         }
-        promise::expect_everything(mesh, reduction);
+        guarantee::expect_everything(mesh, reduction);
     }
 }
 
@@ -163,15 +163,15 @@ TEST_P(HeldBack, AFreeVariableHoldsNothingBackAndItsErrorIsReported) {
         const Reduction with = reduce(mesh, bounds);
         EXPECT_EQ(with.vertices, without.vertices);
         EXPECT_EQ(with.mesh.triangles, without.mesh.triangles);
-        promise::expect_vertex_subset(mesh, with);
+        guarantee::expect_vertex_subset(mesh, with);
         const VariableReport& noise = with.report.variables[2];
         EXPECT_EQ(noise.ratio, 0);
         EXPECT_EQ(noise.refused, 0U);
         // The error is a bound for a free variable, too: as if it had been the bound, the judge agrees.
         EXPECT_GT(noise.error, 0.5);
-        std::vector<double> as_bounds = promise::absolute_bounds(with);
+        std::vector<double> as_bounds = guarantee::absolute_bounds(with);
         as_bounds[2] = noise.error;
-        EXPECT_LE(judge::judge(mesh, with.mesh, as_bounds, 20'000).ratio(), 1 + promise::hair);
+        EXPECT_LE(judge::judge(mesh, with.mesh, as_bounds, 20'000).ratio(), 1 + guarantee::hair);
     }
 }
 
@@ -202,11 +202,11 @@ TEST_P(HeldBack, ASmallVariationThatIsNoRoundingNoiseStillCounts) {
     // One part in a thousand is no noise: the relative bound is one of the extent, not of the magnitude.
     Mesh mesh = meshes::plane(16, 16);
     meshes::add_scalar(mesh, "f", [](glm::dvec3 p) { return 1000 + meshes::wave_field(p); });
-    const Reduction reduction = reduce(mesh, promise::percent(1, 5));
+    const Reduction reduction = reduce(mesh, guarantee::percent(1, 5));
     EXPECT_FALSE(reduction.report.variables[1].bound.constant);
     EXPECT_NEAR(reduction.report.variables[1].bound.absolute, 0.05 * 2, 0.01);
     EXPECT_GT(reduction.mesh.triangles.size(), 10U);
-    promise::expect_everything(mesh, reduction);
+    guarantee::expect_everything(mesh, reduction);
 }
 
 TEST_P(HeldBack, BoundaryVerticesMayGoToo) {
@@ -215,7 +215,7 @@ TEST_P(HeldBack, BoundaryVerticesMayGoToo) {
     std::size_t kept = 0;
     for (const auto& loop : meshes::boundary_loops(reduction.mesh)) kept += loop.size();
     EXPECT_LT(kept, 60U) << "of 120";
-    promise::expect_everything(mesh, reduction);
+    guarantee::expect_everything(mesh, reduction);
 }
 
 } // namespace

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshbound/meshbound.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/shapes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -48,11 +48,11 @@ TEST(Identifiers, TheirOwnNameBoundsThem) {
 
 TEST(Identifiers, HoldNothingBackAndGoOutAsTheyCame) {
     const Mesh mesh = numbered_plane(VariableKind::identifier);
-    const Reduction free = promise::reduced(mesh, one_percent);
-    const Reduction bounded = promise::reduced(numbered_plane(VariableKind::quantity), one_percent);
+    const Reduction free = guarantee::reduced(mesh, one_percent);
+    const Reduction bounded = guarantee::reduced(numbered_plane(VariableKind::quantity), one_percent);
     EXPECT_LE(free.report.triangles_after, 4U);
     EXPECT_GT(bounded.report.triangles_after, 100U) << "the same numbers as a quantity";
-    EXPECT_TRUE(promise::same_bits(free.mesh.variables[1], gather(mesh.variables[1], free.vertices)));
+    EXPECT_TRUE(guarantee::same_bits(free.mesh.variables[1], gather(mesh.variables[1], free.vertices)));
 }
 
 TEST(Identifiers, StayIdentifiersInResultReportLevelsAndMorphs) {

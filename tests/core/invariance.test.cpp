@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -18,7 +18,7 @@ using namespace meshbound;
 class Invariance : public ModeTest {
 protected:
     Reduction reduce(const Mesh& mesh) const {
-        return promise::reduced(mesh, promise::percent(1, 5), GetParam().options());
+        return guarantee::reduced(mesh, guarantee::percent(1, 5), GetParam().options());
     }
     void expect_same_outcome(const Mesh& one, const Mesh& other) const {
         const Reduction of_one = reduce(one), of_other = reduce(other);
@@ -43,7 +43,7 @@ Mesh coarse_numbers() {
 TEST_P(Invariance, RunningTwiceGivesTheSameBytes) {
     const Mesh mesh = coarse_numbers();
     const Reduction one = reduce(mesh), other = reduce(mesh);
-    EXPECT_TRUE(promise::same_bits(one.mesh, other.mesh));
+    EXPECT_TRUE(guarantee::same_bits(one.mesh, other.mesh));
     EXPECT_EQ(one.vertices, other.vertices);
     for (std::size_t i = 0; i < one.triangle_errors.size(); ++i) {
         EXPECT_EQ(one.triangle_errors[i].largest, other.triangle_errors[i].largest);
@@ -86,25 +86,25 @@ TEST_P(Invariance, PrecisionOfTheInputChangesNothingButItself) {
     EXPECT_TRUE(std::holds_alternative<std::vector<float>>(reduce(widened).mesh.variables[0].values));
 }
 
-TEST_P(Invariance, FarFromTheOriginThePromiseStillHolds) {
+TEST_P(Invariance, FarFromTheOriginTheGuaranteeStillHolds) {
     Mesh mesh = meshes::torus(32, 16);
     meshes::add_usual_fields(mesh);
     mesh = meshes::mapped(mesh, [](glm::dvec3 p) { return p + glm::dvec3(3e6, -2e6, 1e6); });
     for (Variable& variable : mesh.variables) meshes::map_values(variable.values, [](double x) { return x + 1e5; });
-    for (const Mesh& far : {mesh, meshes::in_single(mesh)}) promise::expect_everything(far, reduce(far));
+    for (const Mesh& far : {mesh, meshes::in_single(mesh)}) guarantee::expect_everything(far, reduce(far));
 }
 
-TEST_P(Invariance, TurningTheSurfaceInsideOutKeepsThePromise) {
+TEST_P(Invariance, TurningTheSurfaceInsideOutGivesTheGuarantee) {
     const Mesh mesh = meshes::reversed(coarse_numbers());
     const Reduction reduction = reduce(mesh);
     EXPECT_LT(meshes::enclosed_volume(reduction.mesh), 0);
-    promise::expect_everything(mesh, reduction);
+    guarantee::expect_everything(mesh, reduction);
 }
 
-TEST_P(Invariance, ReducingAgainKeepsThePromiseTowardsTheFirstResult) {
+TEST_P(Invariance, ReducingAgainGivesTheGuaranteeTowardsTheFirstResult) {
     const Mesh mesh = coarse_numbers();
     const Reduction once = reduce(mesh);
-    promise::expect_everything(once.mesh, reduce(once.mesh));
+    guarantee::expect_everything(once.mesh, reduce(once.mesh));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Levels of detail nest bit for bit, and each keeps its promise against the original as if it were reduced alone.
+// Levels of detail nest bit for bit, and each gives its guarantee against the original as if it were reduced alone.
 
 #include <algorithm>
 #include <string>
@@ -7,13 +7,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "map_certificate.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/shapes.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 #include "samples.hpp"
 
 namespace {
@@ -21,8 +21,9 @@ namespace {
 using namespace meshbound;
 using certificate::Certificate;
 
-const std::vector<Bounds> doubling = {promise::percent(1, 3), promise::percent(2, 6), promise::percent(4, 12)};
-const std::vector<Bounds> in_space_alone = {promise::percent(0.5, 3), promise::percent(2, 3), promise::percent(6, 3)};
+const std::vector<Bounds> doubling = {guarantee::percent(1, 3), guarantee::percent(2, 6), guarantee::percent(4, 12)};
+const std::vector<Bounds> in_space_alone = {guarantee::percent(0.5, 3), guarantee::percent(2, 3),
+                                            guarantee::percent(6, 3)};
 const std::vector<Bounds> to_free = {{{"position", relative(0.01)}, {"*", relative(0.02)}},
                                      {{"position", relative(0.02)}, {"wave", relative(0.02)}}};
 
@@ -45,12 +46,12 @@ protected:
         }
     }
 
-    static void expect_all_promises(const Mesh& mesh, const Levels& levels, std::size_t samples) {
+    static void expect_all_guarantees(const Mesh& mesh, const Levels& levels, std::size_t samples) {
         expect_nested(levels);
         for (std::size_t i = 0; i < levels.levels.size(); ++i) {
             SCOPED_TRACE("level " + std::to_string(i));
-            promise::expect_everything(mesh, levels.levels[i], samples);
-            EXPECT_LE(promise::largest_ratio(levels.levels[i]), 1);
+            guarantee::expect_everything(mesh, levels.levels[i], samples);
+            EXPECT_LE(guarantee::largest_ratio(levels.levels[i]), 1);
         }
     }
 
@@ -67,7 +68,7 @@ protected:
     static void expect_errors(const std::vector<double>& errors, const Reduction& level) {
         for (std::size_t i = 0; i < errors.size(); ++i) {
             const VariableReport& variable = level.report.variables[i];
-            EXPECT_LE(errors[i], variable.bound.absolute * (1 + promise::hair)) << variable.name;
+            EXPECT_LE(errors[i], variable.bound.absolute * (1 + guarantee::hair)) << variable.name;
             EXPECT_NEAR(errors[i], variable.error,
                         1e-6 * variable.error + 1e-12 * (variable.bound.extent + variable.bound.magnitude));
         }
@@ -75,12 +76,12 @@ protected:
 };
 EVERY_MODE(LevelsTest);
 
-TEST_P(LevelsTest, NestAndKeepTheirPromisesOverEveryKindOfSurface) {
+TEST_P(LevelsTest, NestAndGiveTheirGuaranteesOverEveryKindOfSurface) {
     for (const meshes::Exhibit& exhibit : meshes::gallery())
         for (const std::vector<Bounds>& bounds : {doubling, in_space_alone, to_free}) {
             SCOPED_TRACE(exhibit.name);
             const Levels levels = levels_of(exhibit.mesh, bounds);
-            expect_all_promises(exhibit.mesh, levels, 10'000);
+            expect_all_guarantees(exhibit.mesh, levels, 10'000);
         }
 }
 
@@ -93,10 +94,10 @@ TEST_P(LevelsTest, GetCoarser) {
     }
 }
 
-TEST_P(LevelsTest, KeepTheirPromisesOverSamples) {
+TEST_P(LevelsTest, GiveTheirGuaranteesOverSamples) {
     for_each_sample(15'000, [this](const Mesh& mesh) {
         const Levels levels = levels_of(mesh, doubling, true);
-        expect_all_promises(mesh, levels, 20'000);
+        expect_all_guarantees(mesh, levels, 20'000);
         expect_proofs(mesh, levels);
     });
 }
@@ -120,10 +121,10 @@ TEST_P(LevelsTest, NestOnOddSurfaces) {
 
 TEST_P(LevelsTest, BeginWithTheReductionToTheFirstBounds) {
     const Mesh mesh = meshes::gallery()[4].mesh;
-    const Reduction alone = promise::reduced(mesh, doubling[0], GetParam().options());
+    const Reduction alone = guarantee::reduced(mesh, doubling[0], GetParam().options());
     for (const bool links : {false, true}) {
         const Reduction first = levels_of(mesh, doubling, links).levels.front();
-        EXPECT_TRUE(promise::same_bits(first.mesh, alone.mesh));
+        EXPECT_TRUE(guarantee::same_bits(first.mesh, alone.mesh));
         EXPECT_EQ(first.vertices, alone.vertices);
         EXPECT_EQ(first.report.cells, alone.report.cells);
         for (std::size_t i = 0; i < alone.triangle_errors.size(); ++i)
@@ -135,7 +136,7 @@ TEST_P(LevelsTest, LeaveAboutAsFewTrianglesAsAReductionFromScratch) {
     std::size_t continued = 0, scratch = 0;
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         continued += levels_of(exhibit.mesh, doubling).levels.back().mesh.triangles.size();
-        scratch += promise::reduced(exhibit.mesh, doubling.back(), GetParam().options()).mesh.triangles.size();
+        scratch += guarantee::reduced(exhibit.mesh, doubling.back(), GetParam().options()).mesh.triangles.size();
     }
     EXPECT_LT(static_cast<double>(continued), 1.1 * static_cast<double>(scratch));
 }
@@ -162,7 +163,7 @@ TEST_P(LevelsTest, LinkNeighboursWhereAskedTo) {
         const Levels levels = levels_of(exhibit.mesh, doubling, true);
         const bool tracked = GetParam().options().errors == ErrorAccounting::tracked;
         ASSERT_EQ(levels.maps.size(), tracked ? doubling.size() - 1 : 0);
-        expect_all_promises(exhibit.mesh, levels, 5'000);
+        expect_all_guarantees(exhibit.mesh, levels, 5'000);
     }
 }
 
@@ -210,8 +211,8 @@ TEST_P(LevelsTest, MakeTheMorphsAskedFor) {
                    : MappedSurfaces{levels.levels[i - 1].mesh, levels.levels[i].mesh, levels.maps[i - 1]};
         ASSERT_TRUE(make_morph(surfaces, morph).ok());
         EXPECT_EQ(levels.morphs[i].triangles, morph.triangles);
-        EXPECT_TRUE(promise::same_bits(levels.morphs[i].finer.variables[0], morph.finer.variables[0]));
-        EXPECT_TRUE(promise::same_bits(levels.morphs[i].coarser.variables[1], morph.coarser.variables[1]));
+        EXPECT_TRUE(guarantee::same_bits(levels.morphs[i].finer.variables[0], morph.finer.variables[0]));
+        EXPECT_TRUE(guarantee::same_bits(levels.morphs[i].coarser.variables[1], morph.coarser.variables[1]));
     }
 }
 
@@ -223,7 +224,7 @@ TEST_P(LevelsTest, RefuseListsThatDoNotGoFromFineToCoarse) {
         std::string variable;
         std::optional<std::size_t> level;
     };
-    const Bounds one = promise::percent(1, 3), two = promise::percent(2, 6);
+    const Bounds one = guarantee::percent(1, 3), two = guarantee::percent(2, 6);
     const std::vector<Case> cases = {
         {{}, Fault::bad_levels, "", {}},
         {{two, one}, Fault::bad_levels, "position", 1},
@@ -252,10 +253,10 @@ TEST_P(LevelsTest, RefuseListsThatDoNotGoFromFineToCoarse) {
 TEST_P(LevelsTest, NameTheLevelAtFault) {
     Levels levels;
     const Mesh mesh = meshes::gallery()[0].mesh;
-    const Status falls = reduce_levels(mesh, {promise::percent(2, 6), promise::percent(1, 6)}, {}, levels);
+    const Status falls = reduce_levels(mesh, {guarantee::percent(2, 6), guarantee::percent(1, 6)}, {}, levels);
     EXPECT_THAT(falls.message, testing::AllOf(testing::HasSubstr("“position”"), testing::HasSubstr("level 1"),
                                               testing::HasSubstr("level 2")));
-    const Status bad = reduce_levels(mesh, {promise::percent(2, 6), promise::percent(3, -1)}, {}, levels);
+    const Status bad = reduce_levels(mesh, {guarantee::percent(2, 6), guarantee::percent(3, -1)}, {}, levels);
     EXPECT_THAT(bad.message, testing::HasSubstr("level 2"));
 }
 
@@ -300,11 +301,11 @@ TEST_P(LevelsProgress, CancelledLeavesTheLevelsSoFar) {
         EXPECT_EQ(levels.levels.back().report.termination, Termination::cancelled);
         for (std::size_t i = 0; i + 1 < levels.levels.size(); ++i) {
             EXPECT_EQ(levels.levels[i].report.termination, Termination::finished);
-            EXPECT_TRUE(promise::same_bits(levels.levels[i].mesh, all.levels[i].mesh));
+            EXPECT_TRUE(guarantee::same_bits(levels.levels[i].mesh, all.levels[i].mesh));
         }
         EXPECT_LT(levels.maps.size(), levels.levels.size());
         EXPECT_LT(levels.morphs.size(), levels.levels.size());
-        expect_all_promises(mesh, levels, 2'000);
+        expect_all_guarantees(mesh, levels, 2'000);
     }
 }
 

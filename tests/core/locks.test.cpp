@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -25,7 +25,7 @@ protected:
     Reduction reduce(const Mesh& mesh, std::vector<Box> boxes) const {
         Options options = GetParam().options();
         options.locked_boxes = std::move(boxes);
-        return promise::reduced(mesh, promise::percent(3, 10), options);
+        return guarantee::reduced(mesh, guarantee::percent(3, 10), options);
     }
 };
 EVERY_MODE(Locks);
@@ -75,7 +75,7 @@ TEST_P(Locks, EveryTriangleThatReachesIntoABoxStaysAsItIs) {
         }
         EXPECT_GT(locked, 0U);
         EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() * 9 / 10) << "elsewhere it is reduced";
-        promise::expect_everything(mesh, reduction, 5'000);
+        guarantee::expect_everything(mesh, reduction, 5'000);
     }
 }
 
@@ -95,7 +95,7 @@ TEST_P(Locks, TheReportNamesTheBoxesThatMeetNoTriangle) {
     LevelOptions options{GetParam().options()};
     options.reduction.locked_boxes = {touching, away};
     Levels levels;
-    ASSERT_TRUE(reduce_levels(mesh, {promise::percent(1, 1), promise::percent(3, 3)}, options, levels).ok());
+    ASSERT_TRUE(reduce_levels(mesh, {guarantee::percent(1, 1), guarantee::percent(3, 3)}, options, levels).ok());
     for (const Reduction& level : levels.levels)
         EXPECT_EQ(level.report.unused_locked_boxes, std::vector<std::size_t>{1}) << "though nothing is left to lock";
 }
@@ -103,7 +103,7 @@ TEST_P(Locks, TheReportNamesTheBoxesThatMeetNoTriangle) {
 TEST_P(Locks, ABoxAroundEverythingLocksEverything) {
     Mesh mesh = meshes::sphere(6);
     constexpr double far = std::numeric_limits<double>::infinity();
-    EXPECT_TRUE(promise::same_bits(reduce(mesh, {{glm::dvec3(-far), glm::dvec3(far)}}).mesh, mesh));
+    EXPECT_TRUE(guarantee::same_bits(reduce(mesh, {{glm::dvec3(-far), glm::dvec3(far)}}).mesh, mesh));
 }
 
 TEST_P(Locks, ABoxTurnedInsideOutIsRefused) {
@@ -112,7 +112,7 @@ TEST_P(Locks, ABoxTurnedInsideOutIsRefused) {
         Options options = GetParam().options();
         options.locked_boxes = {{{0, 0, 0}, {1, 1, 1}}, bad};
         Reduction reduction;
-        const Status status = meshbound::reduce(meshes::plane(2, 2), promise::percent(1, 1), options, reduction);
+        const Status status = meshbound::reduce(meshes::plane(2, 2), guarantee::percent(1, 1), options, reduction);
         EXPECT_EQ(status.fault, Fault::bad_option);
         EXPECT_EQ(status.index, 1U);
     }

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "map_certificate.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
@@ -14,7 +15,6 @@
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 #include "samples.hpp"
 
 namespace {
@@ -26,7 +26,7 @@ using certificate::Step;
 class Map : public ModeTest {
 protected:
     Reduction reduce(const Mesh& mesh, const Bounds& bounds) const {
-        return promise::reduced(mesh, bounds, GetParam().options());
+        return guarantee::reduced(mesh, bounds, GetParam().options());
     }
     /// The map proves every bound, and the report states its errors exactly.
     static void expect_proof(const Mesh& mesh, const Reduction& reduction) {
@@ -35,7 +35,7 @@ protected:
         const std::vector<double> errors = certificate.largest_errors();
         for (std::size_t i = 0; i < errors.size(); ++i) {
             const VariableReport& variable = reduction.report.variables[i];
-            EXPECT_LE(errors[i], variable.bound.absolute * (1 + promise::hair)) << variable.name;
+            EXPECT_LE(errors[i], variable.bound.absolute * (1 + guarantee::hair)) << variable.name;
             const double rounding = 1e-6 * variable.error + 1e-12 * (variable.bound.extent + variable.bound.magnitude);
             EXPECT_NEAR(errors[i], variable.error, rounding) << variable.name;
         }
@@ -43,31 +43,31 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(TrackedModes, Map, testing::ValuesIn(tracked_modes()), mode_name);
 
-TEST_P(Map, ProvesThePromiseOverEveryKindOfSurface) {
+TEST_P(Map, ProvesTheGuaranteeOverEveryKindOfSurface) {
     for (const meshes::Exhibit& exhibit : meshes::gallery())
-        for (const Bounds& bounds : {promise::percent(1, 3), promise::percent(6, 10)}) {
+        for (const Bounds& bounds : {guarantee::percent(1, 3), guarantee::percent(6, 10)}) {
             SCOPED_TRACE(exhibit.name);
             expect_proof(exhibit.mesh, reduce(exhibit.mesh, bounds));
         }
 }
 
-TEST_P(Map, ProvesThePromiseOverOddSurfaces) {
+TEST_P(Map, ProvesTheGuaranteeOverOddSurfaces) {
     std::size_t number = 0;
     for (const Mesh& odd : meshes::odd_surfaces()) {
         SCOPED_TRACE(number++);
-        expect_proof(odd, reduce(odd, promise::percent(3, 10)));
+        expect_proof(odd, reduce(odd, guarantee::percent(3, 10)));
     }
 }
 
-TEST_P(Map, ProvesThePromiseWhereNearlyNothingIsLeft) {
+TEST_P(Map, ProvesTheGuaranteeWhereNearlyNothingIsLeft) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
         expect_proof(exhibit.mesh, reduce(exhibit.mesh, {{"position", relative(0.5)}}));
     }
 }
 
-TEST_P(Map, ProvesThePromiseOverSamples) {
-    for_each_sample(15'000, [this](const Mesh& mesh) { expect_proof(mesh, reduce(mesh, promise::percent(1, 3))); });
+TEST_P(Map, ProvesTheGuaranteeOverSamples) {
+    for_each_sample(15'000, [this](const Mesh& mesh) { expect_proof(mesh, reduce(mesh, guarantee::percent(1, 3))); });
 }
 
 TEST_P(Map, IsTheIdentityWhereNothingWasRemoved) {
@@ -81,7 +81,7 @@ TEST_P(Map, IsTheIdentityWhereNothingWasRemoved) {
 TEST_P(Map, GivesTheErrorsOfTheVertices) {
     Mesh mesh = meshes::torus(30, 16);
     meshes::add_usual_fields(mesh);
-    const Reduction reduction = reduce(mesh, promise::percent(2, 6));
+    const Reduction reduction = reduce(mesh, guarantee::percent(2, 6));
     const Certificate certificate(mesh, reduction);
     ASSERT_EQ(reduction.vertex_errors.size(), 1 + mesh.variables.size());
     for (std::size_t i = 0; i < reduction.vertex_errors.size(); ++i) {
@@ -111,7 +111,7 @@ TEST_P(Map, CountsTheReducedSurfaceInsideASphereAsNegative) {
 TEST(MapOfPropagatedErrors, IsEmpty) {
     Options options;
     options.errors = ErrorAccounting::propagated;
-    const Reduction reduction = promise::reduced(meshes::sphere(6), promise::percent(3, 3), options);
+    const Reduction reduction = guarantee::reduced(meshes::sphere(6), guarantee::percent(3, 3), options);
     EXPECT_TRUE(reduction.map.images.empty());
     EXPECT_TRUE(reduction.map.crossings.empty());
     EXPECT_TRUE(reduction.vertex_errors.empty());
@@ -135,7 +135,7 @@ TEST(MapCertificate, TellsATearFromAFilling) {
 
 TEST(MapCertificate, FindsWhatIsTamperedWith) {
     Mesh mesh = meshes::jittered(meshes::plane(12, 12), 0.01, 1);
-    const Reduction sound = promise::reduced(mesh, {{"position", relative(0.02)}});
+    const Reduction sound = guarantee::reduced(mesh, {{"position", relative(0.02)}});
     ASSERT_THAT(Certificate(mesh, sound).faults(), testing::IsEmpty());
     ASSERT_GT(sound.map.crossings.size(), 10U);
 

@@ -12,7 +12,7 @@
 #include "meshbound/meshbound.hpp"
 
 /// Checks a map that a reduction gives out, from the two meshes and the map alone: that it is continuous, and what its
-/// largest errors are. The promise follows without any trust in how the map came about.
+/// largest errors are. The guarantee follows without any trust in how the map came about.
 namespace certificate {
 
 using meshbound::MapCrossing;

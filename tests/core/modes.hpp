@@ -9,7 +9,7 @@
 
 #include "meshbound/options.hpp"
 
-/// A way to reduce: every promise holds in each of them.
+/// A way to reduce: every guarantee holds in each of them.
 struct Mode {
     std::string name;
     meshbound::Options reduction;

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
@@ -19,7 +20,6 @@
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 #include "samples.hpp"
 
 namespace {
@@ -106,9 +106,9 @@ protected:
                 (vertices + crossings) * static_cast<std::size_t>(morph.finer.variables[i].components);
             EXPECT_EQ(value_count(morph.finer.variables[i]), count);
             EXPECT_EQ(value_count(morph.coarser.variables[i]), count);
-            EXPECT_TRUE(promise::same_bits(gather(morph.finer.variables[i], first), variable(step.finer, i)));
-            EXPECT_TRUE(promise::same_bits(gather(morph.coarser.variables[i], step.surfaces.vertices),
-                                           variable(step.coarser.mesh, i)));
+            EXPECT_TRUE(guarantee::same_bits(gather(morph.finer.variables[i], first), variable(step.finer, i)));
+            EXPECT_TRUE(guarantee::same_bits(gather(morph.coarser.variables[i], step.surfaces.vertices),
+                                             variable(step.coarser.mesh, i)));
         }
         expect_places(step.finer, morph, morph.finer);
         expect_places(step.coarser.mesh, morph, morph.coarser);
@@ -176,7 +176,7 @@ protected:
 
     /// All the way within the coarser level's bounds of the original.
     static void expect_judge_agrees(const Step& step, const Morph& morph, std::size_t samples) {
-        expect_within(promise::absolute_bounds(step.coarser), step, morph, samples);
+        expect_within(guarantee::absolute_bounds(step.coarser), step, morph, samples);
     }
 
     static void expect_within(const std::vector<double>& bounds, const Step& step, const Morph& morph,
@@ -185,9 +185,9 @@ protected:
             SCOPED_TRACE(share);
             const Mesh between = morphed(morph, share);
             const meshbound::Judgement surface = judge::judge(step.original, between, bounds, samples);
-            EXPECT_LE(surface.ratio(), 1 + 10 * promise::hair) << surface;
+            EXPECT_LE(surface.ratio(), 1 + 10 * guarantee::hair) << surface;
             const meshbound::Judgement boundary = judge::judge_boundary(step.original, between, bounds, samples / 10);
-            EXPECT_LE(boundary.ratio(), 1 + 10 * promise::hair) << "boundary; " << boundary;
+            EXPECT_LE(boundary.ratio(), 1 + 10 * guarantee::hair) << "boundary; " << boundary;
         }
     }
 };
@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(TrackedModes, MorphTest, testing::ValuesIn(tracked_mode
 TEST_P(MorphTest, LeadsFromLevelToLevelOverEveryKindOfSurface) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
-        for_each_step(exhibit.mesh, {promise::percent(1, 3), promise::percent(2, 6), promise::percent(4, 12)},
+        for_each_step(exhibit.mesh, {guarantee::percent(1, 3), guarantee::percent(2, 6), guarantee::percent(4, 12)},
                       [](const Step& step) { expect_everything(step, 4'000); });
     }
 }
@@ -205,11 +205,11 @@ TEST_P(MorphTest, LeadsFromLevelToLevelOverEveryKindOfSurface) {
 TEST_P(MorphTest, StaysWithinBothLevelsTogetherWhereABoundDoesNotRise) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
-        for_each_step(exhibit.mesh, {promise::percent(1, 3), promise::percent(1.2, 3), promise::percent(5, 3)},
+        for_each_step(exhibit.mesh, {guarantee::percent(1, 3), guarantee::percent(1.2, 3), guarantee::percent(5, 3)},
                       [](const Step& step) {
-                          std::vector<double> bounds = promise::absolute_bounds(step.coarser);
+                          std::vector<double> bounds = guarantee::absolute_bounds(step.coarser);
                           if (step.finer_level) {
-                              const std::vector<double> finer = promise::absolute_bounds(*step.finer_level);
+                              const std::vector<double> finer = guarantee::absolute_bounds(*step.finer_level);
                               for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i] += finer[i];
                           }
                           expect_within(bounds, step, morph_of(step), 4'000);
@@ -219,7 +219,7 @@ TEST_P(MorphTest, StaysWithinBothLevelsTogetherWhereABoundDoesNotRise) {
 
 TEST_P(MorphTest, LeadsFromLevelToLevelOverSamples) {
     for_each_sample(15'000, [this](const Mesh& mesh) {
-        for_each_step(mesh, {promise::percent(1, 3), promise::percent(3, 9)},
+        for_each_step(mesh, {guarantee::percent(1, 3), guarantee::percent(3, 9)},
                       [](const Step& step) { expect_everything(step, 10'000); });
     });
 }
@@ -228,7 +228,7 @@ TEST_P(MorphTest, HoldsTogetherOddSurfaces) {
     std::size_t number = 0;
     for (const Mesh& odd : meshes::odd_surfaces()) {
         SCOPED_TRACE(number++);
-        for_each_step(odd, {promise::percent(1, 3), promise::percent(5, 10)}, [](const Step& step) {
+        for_each_step(odd, {guarantee::percent(1, 3), guarantee::percent(5, 10)}, [](const Step& step) {
             const Morph morph = morph_of(step);
             expect_corners(step, morph);
             expect_size(step, morph);
@@ -240,7 +240,7 @@ TEST_P(MorphTest, HoldsTogetherOddSurfaces) {
 TEST_P(MorphTest, TravelsNoFartherThanTheBoundsOfBothLevelsTogether) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
-        for_each_step(exhibit.mesh, {promise::percent(1, 3), promise::percent(3, 9)}, [](const Step& step) {
+        for_each_step(exhibit.mesh, {guarantee::percent(1, 3), guarantee::percent(3, 9)}, [](const Step& step) {
             const Morph morph = morph_of(step);
             for (std::size_t i = 0; i < morph.finer.variables.size(); ++i) {
                 const int components = morph.finer.variables[i].components;
@@ -263,12 +263,12 @@ TEST_P(MorphTest, TravelsNoFartherThanTheBoundsOfBothLevelsTogether) {
 
 TEST(Morph, IsLinearBetweenItsEnds) {
     const Mesh mesh = meshes::gallery()[0].mesh;
-    const Reduction reduction = promise::reduced(mesh, promise::percent(3, 9));
+    const Reduction reduction = guarantee::reduced(mesh, guarantee::percent(3, 9));
     Morph morph;
     ASSERT_TRUE(make_morph({mesh, reduction}, morph).ok());
     const Mesh start = morphed(morph, 0), middle = morphed(morph, 0.5), end = morphed(morph, 1);
-    EXPECT_TRUE(promise::same_bits(start.position, morph.finer.variables[0]));
-    EXPECT_TRUE(promise::same_bits(end.position, morph.coarser.variables[0]));
+    EXPECT_TRUE(guarantee::same_bits(start.position, morph.finer.variables[0]));
+    EXPECT_TRUE(guarantee::same_bits(end.position, morph.coarser.variables[0]));
     for (std::size_t i = 0; i < vertex_count(start); ++i)
         for (int c = 0; c < 3; ++c)
             ASSERT_NEAR(value_at(middle.position, i, c),
@@ -282,7 +282,7 @@ TEST(Morph, AsLaidOutOfAPlaneHasNoFolds) {
     options.reduction.optimize_vertex_images = options.reduction.optimize_edge_crossings = false;
     options.maps = true;
     Levels levels;
-    ASSERT_TRUE(reduce_levels(mesh, {promise::percent(1, 3), promise::percent(2, 6)}, options, levels).ok());
+    ASSERT_TRUE(reduce_levels(mesh, {guarantee::percent(1, 3), guarantee::percent(2, 6)}, options, levels).ok());
     Morph morph;
     ASSERT_TRUE(make_morph({levels.levels[0].mesh, levels.levels[1].mesh, levels.maps[0]}, morph).ok());
     EXPECT_EQ(morph.folded_triangles, 0U);
@@ -294,7 +294,7 @@ TEST(Morph, OfPropagatedErrorsIsEmpty) {
     options.errors = ErrorAccounting::propagated;
     const Mesh mesh = meshes::sphere(6);
     Morph morph;
-    const Reduction reduction = promise::reduced(mesh, promise::percent(3, 3), options);
+    const Reduction reduction = guarantee::reduced(mesh, guarantee::percent(3, 3), options);
     ASSERT_TRUE(make_morph({mesh, reduction}, morph).ok());
     EXPECT_TRUE(morph.triangles.empty());
     EXPECT_TRUE(morph.finer.variables.empty());

@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshbound/meshbound.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/shapes.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -48,14 +48,14 @@ EVERY_MODE(NonFiniteTest);
 
 TEST_P(NonFiniteTest, WithoutABoundChangesNothingOfTheRest) {
     const Reduction expected =
-        promise::reduced(bumpy(), {{"position", relative(0.02)}, {"*", relative(0.05)}}, GetParam().options());
+        guarantee::reduced(bumpy(), {{"position", relative(0.02)}, {"*", relative(0.05)}}, GetParam().options());
     for (const int components : {1, 2, 3}) {
         SCOPED_TRACE(components);
         const Mesh mesh = with_holes(components);
-        const Reduction reduction = promise::reduced(mesh, holes_free, GetParam().options());
+        const Reduction reduction = guarantee::reduced(mesh, holes_free, GetParam().options());
         EXPECT_EQ(reduction.vertices, expected.vertices);
         EXPECT_EQ(reduction.mesh.triangles, expected.mesh.triangles);
-        EXPECT_TRUE(promise::same_bits(reduction.mesh.variables[0], gather(mesh.variables[0], reduction.vertices)));
+        EXPECT_TRUE(guarantee::same_bits(reduction.mesh.variables[0], gather(mesh.variables[0], reduction.vertices)));
         for (const std::size_t i : {0U, 2U}) {
             const std::size_t other = i == 0 ? 0 : 1;
             EXPECT_EQ(reduction.report.variables[i].error, expected.report.variables[other].error);
@@ -66,7 +66,7 @@ TEST_P(NonFiniteTest, WithoutABoundChangesNothingOfTheRest) {
 
 TEST_P(NonFiniteTest, ItsErrorIsNotKnown) {
     const Mesh mesh = with_holes();
-    const Reduction reduction = promise::reduced(mesh, holes_free, GetParam().options());
+    const Reduction reduction = guarantee::reduced(mesh, holes_free, GetParam().options());
     const VariableReport& report = reduction.report.variables[1];
     EXPECT_TRUE(std::isnan(report.error));
     EXPECT_EQ(report.ratio, 0);
@@ -84,7 +84,7 @@ TEST_P(NonFiniteTest, ItsErrorIsNotKnown) {
 }
 
 TEST(NonFinite, OfATriangleFarFromHolesTheTrackedErrorIsKnown) {
-    const Reduction reduction = promise::reduced(with_holes(), holes_free);
+    const Reduction reduction = guarantee::reduced(with_holes(), holes_free);
     std::size_t known = 0;
     for (const float error : reduction.triangle_errors[1].largest) known += std::isfinite(error);
     EXPECT_GT(known, 0U);
@@ -126,7 +126,7 @@ TEST(NonFinite, NumbersFartherApartThanADoubleHoldsAreCarriedAlongToo) {
     constexpr double largest = std::numeric_limits<double>::max();
     std::get<std::vector<double>>(mesh.variables[0].values)[4] = largest;
     std::get<std::vector<double>>(mesh.variables[0].values)[5] = -largest;
-    const Reduction reduction = promise::reduced(mesh, {{"position", relative(0.02)}});
+    const Reduction reduction = guarantee::reduced(mesh, {{"position", relative(0.02)}});
     EXPECT_TRUE(std::isnan(reduction.report.variables[1].error));
 }
 
@@ -153,7 +153,7 @@ TEST(NonFinite, AMorphHasItAtItsEnds) {
     const Mesh start = morphed(levels.morphs[0], 0);
     std::vector<std::uint32_t> first(vertex_count(mesh));
     for (std::uint32_t v = 0; v < first.size(); ++v) first[v] = v;
-    EXPECT_TRUE(promise::same_bits(gather(start.variables[0], first), mesh.variables[0]));
+    EXPECT_TRUE(guarantee::same_bits(gather(start.variables[0], first), mesh.variables[0]));
 }
 
 } // namespace

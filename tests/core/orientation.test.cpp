@@ -10,13 +10,13 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -27,7 +27,7 @@ protected:
     Reduction reduce(const Mesh& mesh, bool drop_small_components = false) const {
         Options options = GetParam().options();
         options.drop_small_components = drop_small_components;
-        return promise::reduced(mesh, promise::percent(3, 10), options);
+        return guarantee::reduced(mesh, guarantee::percent(3, 10), options);
     }
 };
 EVERY_MODE(Orientation);
@@ -59,7 +59,7 @@ TEST_P(Orientation, OneTriangleTheWrongWayRoundIsTurned) {
     EXPECT_EQ(reduction.report.defects.flipped_triangles, 1U);
     EXPECT_EQ(reduction.report.defects.unorientable_components, 0U);
     EXPECT_EQ(reduction.report.non_manifold_vertices, 0U);
-    promise::expect_everything(with_fields(meshes::plane(8, 8)), reduction);
+    guarantee::expect_everything(with_fields(meshes::plane(8, 8)), reduction);
 }
 
 TEST_P(Orientation, ADisorderedSurfaceIsReducedAsIfItWereInOrder) {
@@ -69,7 +69,7 @@ TEST_P(Orientation, ADisorderedSurfaceIsReducedAsIfItWereInOrder) {
         const std::size_t turned = turn_some(disordered, 0.3, 7);
         const Reduction reduction = reduce(disordered);
         EXPECT_EQ(reduction.report.defects.flipped_triangles, turned);
-        promise::expect_everything(mesh, reduction);
+        guarantee::expect_everything(mesh, reduction);
         EXPECT_EQ(meshes::topology(reduction.mesh).discordant_edges, 0U);
         const std::size_t in_order = reduce(mesh).mesh.triangles.size();
         EXPECT_LT(std::abs(double(reduction.mesh.triangles.size()) - double(in_order)), 0.1 * double(in_order) + 4);
@@ -83,7 +83,7 @@ TEST_P(Orientation, EachPartFacesAsMostOfItsTrianglesDo) {
     const Mesh plain = mesh;
     turn_some(mesh, 0.2, 3);
     const Reduction reduction = reduce(mesh);
-    promise::expect_everything(plain, reduction);
+    guarantee::expect_everything(plain, reduction);
     EXPECT_GT(meshes::enclosed_volume(reduction.mesh), 0) << "the hollow is still one";
     EXPECT_LT(meshes::enclosed_volume(reduction.mesh), meshes::enclosed_volume(ball));
 }
@@ -121,7 +121,7 @@ TEST_P(Orientation, WhatHasNoTwoSidesIsLeftAsItIsAndSaid) {
     EXPECT_EQ(reduction.report.defects.flipped_triangles, 1U);
     EXPECT_EQ(reduction.report.defects.unorientable_components, 1U);
     EXPECT_EQ(reduction.report.defects.unorientable_triangle, of_ball);
-    promise::expect_judge_agrees(mesh, reduction);
+    guarantee::expect_judge_agrees(mesh, reduction);
     EXPECT_GT(meshes::topology(reduction.mesh).discordant_edges, 0U);
     EXPECT_EQ(meshes::topology(reduction.mesh).euler, meshes::topology(mesh).euler);
     EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() * 2 / 3);
@@ -134,7 +134,7 @@ TEST_P(Orientation, ADisorderedBandIsReducedLikeOneInOrder) {
     const Reduction reduction = reduce(disordered);
     EXPECT_EQ(reduction.report.defects.unorientable_components, 1U);
     EXPECT_GT(reduction.report.defects.flipped_triangles, 0U);
-    promise::expect_judge_agrees(band, reduction);
+    guarantee::expect_judge_agrees(band, reduction);
     EXPECT_EQ(meshes::topology(reduction.mesh).euler, meshes::topology(band).euler);
     EXPECT_EQ(meshes::topology(reduction.mesh).boundary_loops, 1U);
     const std::size_t in_order = reduce(band).mesh.triangles.size();
@@ -149,7 +149,7 @@ TEST_P(Orientation, TrianglesWithAVertexTwiceStandInNobodysWay) {
     mesh.triangles.insert(mesh.triangles.begin(), {t.x, t.x, t.y});
     const Reduction reduction = reduce(mesh);
     EXPECT_EQ(reduction.report.defects.flipped_triangles, 1U);
-    promise::expect_everything(with_fields(meshes::plane(8, 8)), reduction);
+    guarantee::expect_everything(with_fields(meshes::plane(8, 8)), reduction);
 }
 
 /// A sphere with crumbs around it: of 2, 2 and 30 % of its size.
@@ -167,7 +167,7 @@ TEST_P(Orientation, SmallPartsGoOnlyWhenAskedForAndAreCounted) {
     const Mesh mesh = with_crumbs();
     const Reduction all = reduce(mesh);
     EXPECT_EQ(all.report.dropped.components, 0U);
-    promise::expect_everything(mesh, all);
+    guarantee::expect_everything(mesh, all);
 
     const Reduction reduction = reduce(mesh, true);
     EXPECT_EQ(reduction.report.dropped.components, 2U);
@@ -177,7 +177,7 @@ TEST_P(Orientation, SmallPartsGoOnlyWhenAskedForAndAreCounted) {
         const glm::dvec3 p = meshes::point(mesh, t.x);
         return std::max(p.x, p.y) > 1.5;
     });
-    promise::expect_everything(rest, reduction);
+    guarantee::expect_everything(rest, reduction);
 }
 
 TEST_P(Orientation, SmallPartsThatAreLockedOrOneWithALargerOneStay) {
@@ -185,11 +185,11 @@ TEST_P(Orientation, SmallPartsThatAreLockedOrOneWithALargerOneStay) {
     Options options = GetParam().options();
     options.drop_small_components = true;
     options.locked = {static_cast<std::uint32_t>(vertex_count(meshes::sphere(10)))}; // of the first crumb
-    EXPECT_EQ(promise::reduced(mesh, promise::percent(3, 10), options).report.dropped.components, 1U);
+    EXPECT_EQ(guarantee::reduced(mesh, guarantee::percent(3, 10), options).report.dropped.components, 1U);
 
     // Everything is smaller than the bound: the largest part stays.
     options.locked.clear();
-    const Reduction one = promise::reduced(mesh, {{"position", relative(2)}}, options);
+    const Reduction one = guarantee::reduced(mesh, {{"position", relative(2)}}, options);
     EXPECT_EQ(one.report.dropped.components, 3U);
     EXPECT_GE(one.mesh.triangles.size(), 4U);
 
@@ -197,7 +197,7 @@ TEST_P(Orientation, SmallPartsThatAreLockedOrOneWithALargerOneStay) {
     Mesh seamed = with_fields(meshes::plane(10, 10));
     const Mesh scrap = meshes::cut(seamed, [](glm::dvec3 p) { return p.x < 0.02 + 0.1 && p.y < 0.1; });
     const Mesh rest = meshes::cut(seamed, [](glm::dvec3 p) { return !(p.x < 0.02 + 0.1 && p.y < 0.1); });
-    const Reduction seams = promise::reduced(meshes::joined(rest, scrap), {{"position", relative(0.2)}}, options);
+    const Reduction seams = guarantee::reduced(meshes::joined(rest, scrap), {{"position", relative(0.2)}}, options);
     EXPECT_EQ(seams.report.dropped.components, 0U);
 }
 
@@ -206,7 +206,7 @@ TEST_P(Orientation, SmallPartsStayAwayInEveryLevel) {
     LevelOptions how{GetParam().options(), true, true};
     how.reduction.drop_small_components = true;
     Levels levels;
-    ASSERT_TRUE(reduce_levels(mesh, {promise::percent(3, 10), promise::percent(6, 20)}, how, levels).ok());
+    ASSERT_TRUE(reduce_levels(mesh, {guarantee::percent(3, 10), guarantee::percent(6, 20)}, how, levels).ok());
     for (const Reduction& level : levels.levels) EXPECT_EQ(meshes::topology(level.mesh).components, 2U);
 }
 
@@ -214,7 +214,7 @@ TEST_P(Orientation, SmallPartsNeedABoundToBeSmallerThan) {
     LevelOptions how{GetParam().options()};
     how.reduction.drop_small_components = true;
     const Mesh mesh = with_crumbs();
-    const Bounds bounded = promise::percent(3, 10), free = {{"*", relative(0.1)}, {"position", unbounded()}};
+    const Bounds bounded = guarantee::percent(3, 10), free = {{"*", relative(0.1)}, {"position", unbounded()}};
     Reduction reduction;
     const Status status = meshbound::reduce(mesh, free, how.reduction, reduction);
     EXPECT_EQ(status.fault, Fault::bad_option);

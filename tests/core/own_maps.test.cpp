@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "map_certificate.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 #include "samples.hpp"
 
 namespace {
@@ -51,7 +51,7 @@ TEST_P(OwnMaps, AreTakenOfOneResult) {
         for (const double percent : bounds_for(mesh)) {
             SCOPED_TRACE(percent);
             const Reduction reduction =
-                promise::reduced(mesh, promise::percent(percent, 3 * percent), GetParam().options());
+                guarantee::reduced(mesh, guarantee::percent(percent, 3 * percent), GetParam().options());
             expect_taken({mesh, reduction});
             expect_certified(mesh, reduction);
         }
@@ -64,7 +64,7 @@ TEST_P(OwnMaps, AreTakenOfFourLevels) {
             SCOPED_TRACE(percent);
             std::vector<Bounds> bounds;
             for (const double times : {1, 2, 4, 8})
-                bounds.push_back(promise::percent(times * percent, 3 * times * percent));
+                bounds.push_back(guarantee::percent(times * percent, 3 * times * percent));
             Levels levels;
             const Status status = reduce_levels(mesh, bounds, {GetParam().options(), true}, levels);
             ASSERT_TRUE(status.ok()) << status.message;

@@ -9,13 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "geometry/triangle_intersection.hpp"
+#include "guarantee.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/near_lobes.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 #include "self_intersection/self_intersections.hpp"
 
 namespace {
@@ -36,17 +36,17 @@ INSTANTIATE_TEST_SUITE_P(NearLobes, NearLobesTest, testing::ValuesIn(meshes::nea
 TEST_P(NearLobesTest, AreWholeAndTempting) {
     const Mesh& mesh = GetParam().mesh;
     EXPECT_TRUE(judge::self_intersections(mesh).empty());
-    EXPECT_FALSE(judge::self_intersections(promise::reduced(mesh, tempting()).mesh).empty());
+    EXPECT_FALSE(judge::self_intersections(guarantee::reduced(mesh, tempting()).mesh).empty());
 }
 
 TEST_P(NearLobesTest, DoNotPierceWhereThatIsRefused) {
     const Mesh& mesh = GetParam().mesh;
     for (const Mode& mode : modes()) {
         SCOPED_TRACE(mode.name);
-        const Reduction reduction = promise::reduced(mesh, tempting(), refusing(mode.options()));
+        const Reduction reduction = guarantee::reduced(mesh, tempting(), refusing(mode.options()));
         EXPECT_EQ(judge::self_intersections(reduction.mesh).size(), 0U);
         EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size() / 2);
-        promise::expect_everything(mesh, reduction);
+        guarantee::expect_everything(mesh, reduction);
     }
 }
 
@@ -56,7 +56,7 @@ TEST_P(NearLobesTest, DoNotPierceInAnyLevel) {
     options.maps = true;
     Levels levels;
     const Status status =
-        reduce_levels(GetParam().mesh, {promise::percent(0.5, 1), promise::percent(2, 4)}, options, levels);
+        reduce_levels(GetParam().mesh, {guarantee::percent(0.5, 1), guarantee::percent(2, 4)}, options, levels);
     ASSERT_TRUE(status.ok()) << status.message;
     for (const Reduction& level : levels.levels) EXPECT_EQ(judge::self_intersections(level.mesh).size(), 0U);
 }
@@ -70,7 +70,7 @@ TEST_P(PiercingTest, DoesNotComeAboutOnAnyKindOfSurface) {
         if (!judge::self_intersections(exhibit.mesh).empty()) continue;
         for (const double percent : {1.0, 8.0}) {
             const Reduction reduction =
-                promise::reduced(exhibit.mesh, promise::percent(percent, 50), refusing(GetParam().options()));
+                guarantee::reduced(exhibit.mesh, guarantee::percent(percent, 50), refusing(GetParam().options()));
             EXPECT_EQ(judge::self_intersections(reduction.mesh).size(), 0U) << percent;
         }
     }
@@ -83,7 +83,7 @@ TEST_P(PiercingTest, DoesNotComeAboutOnRandomSurfaces) {
         const Mesh mesh = seed % 2 == 0 ? meshes::in_single(whole) : whole;
         ASSERT_TRUE(judge::self_intersections(mesh).empty());
         const Reduction reduction =
-            promise::reduced(mesh, {{"position", relative(0.05)}}, refusing(GetParam().options()));
+            guarantee::reduced(mesh, {{"position", relative(0.05)}}, refusing(GetParam().options()));
         EXPECT_EQ(judge::self_intersections(reduction.mesh).size(), 0U);
     }
 }
@@ -111,7 +111,7 @@ TEST_P(PiercingTest, StaysWhereItWas) {
     };
     const Mesh mesh = meshes::joined(sheet(0.3), meshes::flipped(sheet(-0.2), 60, 1));
     ASSERT_FALSE(judge::self_intersections(mesh).empty());
-    const Reduction reduction = promise::reduced(mesh, tempting(), refusing(GetParam().options()));
+    const Reduction reduction = guarantee::reduced(mesh, tempting(), refusing(GetParam().options()));
     EXPECT_LT(reduction.mesh.triangles.size(), mesh.triangles.size());
     const judge::TrianglePairs pairs = judge::self_intersections(reduction.mesh);
     for (const auto& [one, other] : pairs)
@@ -129,9 +129,9 @@ TEST_P(PiercingTest, IsCountedWhereItHoldsBack) {
     const Mesh mesh = meshes::joined(sheet, tetrahedron);
     ASSERT_TRUE(judge::self_intersections(mesh).empty());
     const Bounds bounds = {{"position", absolute(0.2)}};
-    const Reduction careless = promise::reduced(mesh, bounds, GetParam().options());
+    const Reduction careless = guarantee::reduced(mesh, bounds, GetParam().options());
     EXPECT_FALSE(judge::self_intersections(careless.mesh).empty());
-    const Reduction careful = promise::reduced(mesh, bounds, refusing(GetParam().options()));
+    const Reduction careful = guarantee::reduced(mesh, bounds, refusing(GetParam().options()));
     EXPECT_TRUE(judge::self_intersections(careful.mesh).empty());
     EXPECT_GE(careful.report.refused.piercing, 1U);
 }
@@ -141,7 +141,7 @@ TEST_P(PiercingTest, IsNotSeenInASeam) {
     const Mesh left = meshes::plane(8, 8);
     const Mesh right = meshes::mapped(left, [](glm::dvec3 p) { return p + glm::dvec3(1, 0, 0); });
     const Reduction reduction =
-        promise::reduced(meshes::joined(left, right), tempting(), refusing(GetParam().options()));
+        guarantee::reduced(meshes::joined(left, right), tempting(), refusing(GetParam().options()));
     EXPECT_EQ(reduction.mesh.triangles.size(), 4U);
 }
 

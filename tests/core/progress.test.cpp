@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/shapes.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -24,7 +24,7 @@ protected:
     Status reduce(Reduction& reduction, const Progress& progress) const {
         Options options = GetParam().options();
         options.threads = 1; // of several, how often the caller's reports is chance (tests/core/threads.test.cpp)
-        return meshbound::reduce(mesh, promise::percent(2, 5), options, reduction, progress);
+        return meshbound::reduce(mesh, guarantee::percent(2, 5), options, reduction, progress);
     }
     std::vector<double> all_progress(Reduction& reduction) const {
         std::vector<double> values;
@@ -53,7 +53,7 @@ TEST_P(ProgressTest, ChangesNothing) {
     Reduction with, without;
     all_progress(with);
     ASSERT_TRUE(reduce(without, {}).ok());
-    EXPECT_TRUE(promise::same_bits(with.mesh, without.mesh));
+    EXPECT_TRUE(guarantee::same_bits(with.mesh, without.mesh));
 }
 
 TEST_P(ProgressTest, CancellingAtAnyTimeLeavesAValidResult) {
@@ -70,7 +70,7 @@ TEST_P(ProgressTest, CancellingAtAnyTimeLeavesAValidResult) {
         EXPECT_EQ(reduction.report.termination, Termination::cancelled);
         EXPECT_GE(reduction.mesh.triangles.size(), finished.mesh.triangles.size());
         EXPECT_EQ(reduction.report.triangles_after, reduction.mesh.triangles.size());
-        promise::expect_everything(mesh, reduction, 2'000);
+        guarantee::expect_everything(mesh, reduction, 2'000);
     }
 }
 

@@ -7,11 +7,11 @@
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/shapes.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -23,7 +23,7 @@ protected:
         Options options = more;
         options.errors = GetParam().options().errors;
         options.cost = GetParam().options().cost;
-        const Reduction reduction = promise::reduced(mesh, bounds, options);
+        const Reduction reduction = guarantee::reduced(mesh, bounds, options);
         expect_counted_once(reduction);
         return reduction;
     }

@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -21,8 +21,8 @@ using namespace meshbound;
 
 class ReportTest : public ModeTest {
 protected:
-    Reduction reduce(const Mesh& mesh, const Bounds& bounds = promise::percent(2, 6)) const {
-        return promise::reduced(mesh, bounds, GetParam().options());
+    Reduction reduce(const Mesh& mesh, const Bounds& bounds = guarantee::percent(2, 6)) const {
+        return guarantee::reduced(mesh, bounds, GetParam().options());
     }
 };
 EVERY_MODE(ReportTest);
@@ -105,7 +105,7 @@ TEST_P(ReportTest, AgreesWithItselfOverEveryKindOfSurface) {
 TEST_P(ReportTest, UsesMostOfTheBoundsThatHoldItBack) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
-        EXPECT_GT(promise::largest_ratio(reduce(exhibit.mesh)), 0.8);
+        EXPECT_GT(guarantee::largest_ratio(reduce(exhibit.mesh)), 0.8);
     }
 }
 
@@ -136,7 +136,7 @@ TEST_P(ReportTest, TheErrorsOfEachTriangleHoldOnThatTriangle) {
     Mesh mesh = meshes::torus(24, 12);
     meshes::add_scalar(mesh, "wave", meshes::wave_field);
     meshes::add_vector(mesh, "whirl", meshes::whirl_field);
-    const Reduction reduction = reduce(mesh, promise::percent(4, 10));
+    const Reduction reduction = reduce(mesh, guarantee::percent(4, 10));
     for (std::size_t t = 0; t < reduction.mesh.triangles.size(); ++t) {
         SCOPED_TRACE(t);
         std::vector<double> bounds;
@@ -145,7 +145,7 @@ TEST_P(ReportTest, TheErrorsOfEachTriangleHoldOnThatTriangle) {
                              1e-5 * reduction.report.variables[i].bound.extent);
         Mesh alone = reduction.mesh;
         alone.triangles = {reduction.mesh.triangles[t]};
-        EXPECT_LE(judge::judge(mesh, alone, bounds, 200).from_reduced.ratio, 1 + promise::hair);
+        EXPECT_LE(judge::judge(mesh, alone, bounds, 200).from_reduced.ratio, 1 + guarantee::hair);
     }
 }
 
@@ -173,7 +173,7 @@ TEST_P(ReportTest, SaysHowMuchOfEachRegionIsLeft) {
         }
         Options options = GetParam().options();
         options.drop_small_components = true;
-        const Report report = promise::reduced(mesh, {{"position", relative(0.01)}}, options).report;
+        const Report report = guarantee::reduced(mesh, {{"position", relative(0.01)}}, options).report;
         ASSERT_EQ(report.regions.size(), 3U);
         const RegionReport &right = report.regions[0], &left = report.regions[1], &crumb = report.regions[2];
         EXPECT_EQ(std::vector({right.label, left.label, crumb.label}), std::vector({-2, 5, 9}));

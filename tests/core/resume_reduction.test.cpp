@@ -9,20 +9,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/random.hpp"
 #include "meshes/shapes.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 #include "samples.hpp"
 
 namespace {
 
 using namespace meshbound;
 
-const Bounds usual = promise::percent(1, 3);
+const Bounds usual = guarantee::percent(1, 3);
 
 /// "wave" alone has a bound besides position.
 const Bounds partly_free = {{"position", relative(0.01)}, {"wave", relative(0.03)}};
@@ -117,8 +117,8 @@ TEST_P(Onward, HandingOutTheCheckpointChangesNothing) {
         SCOPED_TRACE(exhibit.name);
         Checkpoint checkpoint;
         const Reduction with = reduce(exhibit.mesh, usual, checkpoint);
-        const Reduction without = promise::reduced(exhibit.mesh, usual, options);
-        EXPECT_TRUE(promise::same_bits(with.mesh, without.mesh));
+        const Reduction without = guarantee::reduced(exhibit.mesh, usual, options);
+        EXPECT_TRUE(guarantee::same_bits(with.mesh, without.mesh));
         EXPECT_EQ(with.vertices, without.vertices);
         EXPECT_EQ(with.report.cells, without.report.cells);
         EXPECT_FALSE(with.report.errors_are_upper_bounds);
@@ -130,7 +130,7 @@ TEST_P(Onward, HandingOutTheCheckpointChangesNothing) {
 TEST_P(Onward, ACheckpointLiesWithinWhatItHasSpent) {
     std::size_t removed = 0;
     for (const meshes::Exhibit& exhibit : meshes::gallery())
-        for (const Bounds& bounds : {usual, promise::percent(8, 8), partly_free}) {
+        for (const Bounds& bounds : {usual, guarantee::percent(8, 8), partly_free}) {
             SCOPED_TRACE(exhibit.name);
             Checkpoint checkpoint;
             const Reduction result = reduce(exhibit.mesh, bounds, checkpoint);
@@ -138,25 +138,25 @@ TEST_P(Onward, ACheckpointLiesWithinWhatItHasSpent) {
             removed += exhibit.mesh.triangles.size() - checkpoint.mesh.triangles.size();
             EXPECT_EQ(checkpoint.report.termination, Termination::intermediate);
             for (const VariableReport& variable : checkpoint.report.variables)
-                EXPECT_LE(variable.error, variable.bound.absolute / 8 * (1 + promise::hair)) << variable.name;
-            promise::expect_everything(exhibit.mesh, as_reduction(checkpoint), 10'000);
+                EXPECT_LE(variable.error, variable.bound.absolute / 8 * (1 + guarantee::hair)) << variable.name;
+            guarantee::expect_everything(exhibit.mesh, as_reduction(checkpoint), 10'000);
         }
     EXPECT_GT(removed, 0U);
 }
 
 TEST_P(Onward, KeepsEveryBoundToTheOriginal) {
     const std::vector<Bounds> next = {usual,
-                                      promise::percent(0.3, 1),
-                                      promise::percent(4, 12),
-                                      promise::percent(1, 20),
+                                      guarantee::percent(0.3, 1),
+                                      guarantee::percent(4, 12),
+                                      guarantee::percent(1, 20),
                                       {{"position", relative(0.01)}, {"wave", relative(0.05)}}};
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         const Checkpoint checkpoint = passed(exhibit.mesh, usual);
         for (const Bounds& bounds : next) {
             SCOPED_TRACE(exhibit.name);
             const Reduction reduction = onward(checkpoint, bounds);
-            promise::expect_everything(exhibit.mesh, reduction, 10'000);
-            EXPECT_LE(promise::largest_ratio(reduction), 1);
+            guarantee::expect_everything(exhibit.mesh, reduction, 10'000);
+            EXPECT_LE(guarantee::largest_ratio(reduction), 1);
             expect_sums(exhibit.mesh, reduction);
         }
     }
@@ -165,11 +165,11 @@ TEST_P(Onward, KeepsEveryBoundToTheOriginal) {
 TEST_P(Onward, GoesOnFromResultsTooAndOnFromThere) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
-        const Reduction first = promise::reduced(exhibit.mesh, usual, options);
-        const Reduction second = onward(checkpoint_of(first), promise::percent(2.5, 6));
-        promise::expect_everything(exhibit.mesh, second, 10'000);
-        const Reduction third = onward(checkpoint_of(second), promise::percent(4, 10));
-        promise::expect_everything(exhibit.mesh, third, 10'000);
+        const Reduction first = guarantee::reduced(exhibit.mesh, usual, options);
+        const Reduction second = onward(checkpoint_of(first), guarantee::percent(2.5, 6));
+        guarantee::expect_everything(exhibit.mesh, second, 10'000);
+        const Reduction third = onward(checkpoint_of(second), guarantee::percent(4, 10));
+        guarantee::expect_everything(exhibit.mesh, third, 10'000);
         expect_sums(exhibit.mesh, third);
         EXPECT_LT(third.mesh.triangles.size(), first.mesh.triangles.size());
     }
@@ -181,33 +181,33 @@ TEST_P(Onward, KeepsTheBoundsOfWhatWasFree) {
     const double spent = checkpoint.report.variables[1].error;
     ASSERT_EQ(checkpoint.report.variables[1].name, "linear");
     const Bounds all = {{"position", relative(0.01)}, {"wave", relative(0.03)}, {"linear", absolute(1.5 * spent)}};
-    promise::expect_everything(mesh, onward(checkpoint, all));
+    guarantee::expect_everything(mesh, onward(checkpoint, all));
     const Bounds too_fine = {{"position", relative(0.01)}, {"wave", relative(0.03)}, {"linear", absolute(0.9 * spent)}};
     EXPECT_EQ(refused(checkpoint, too_fine).variable, "linear");
 }
 
-TEST_P(Onward, KeepsItsPromiseOverSamples) {
+TEST_P(Onward, GivesItsGuaranteeOverSamples) {
     for_each_sample(15'000, [this](const Mesh& mesh) {
         const Checkpoint checkpoint = passed(mesh, usual);
-        for (const Bounds& bounds : {usual, promise::percent(3, 9)}) {
+        for (const Bounds& bounds : {usual, guarantee::percent(3, 9)}) {
             const Reduction reduction = onward(checkpoint, bounds);
-            promise::expect_judge_agrees(mesh, reduction);
-            promise::expect_same_topology(mesh, reduction);
+            guarantee::expect_judge_agrees(mesh, reduction);
+            guarantee::expect_same_topology(mesh, reduction);
         }
     });
 }
 
-TEST_P(Onward, KeepsItsPromiseOverOddSurfaces) {
+TEST_P(Onward, GivesItsGuaranteeOverOddSurfaces) {
     std::vector<Mesh> odd = meshes::odd_surfaces();
     odd.push_back(meshes::moebius_band(40, 8));
     for (std::size_t i = 0; i < odd.size(); ++i) {
         SCOPED_TRACE(i);
-        const Checkpoint checkpoint = passed(odd[i], promise::percent(2, 6));
-        const Reduction reduction = onward(checkpoint, promise::percent(4, 12));
-        promise::expect_vertex_subset(odd[i], reduction);
+        const Checkpoint checkpoint = passed(odd[i], guarantee::percent(2, 6));
+        const Reduction reduction = onward(checkpoint, guarantee::percent(4, 12));
+        guarantee::expect_vertex_subset(odd[i], reduction);
         const meshbound::Judgement judgement =
-            judge::judge(odd[i], reduction.mesh, promise::absolute_bounds(reduction), 10'000);
-        EXPECT_LE(judgement.ratio(), 1 + promise::hair) << judgement;
+            judge::judge(odd[i], reduction.mesh, guarantee::absolute_bounds(reduction), 10'000);
+        EXPECT_LE(judgement.ratio(), 1 + guarantee::hair) << judgement;
         EXPECT_EQ(reduction.report.defects.unused_vertices, checkpoint.report.defects.unused_vertices);
         EXPECT_EQ(reduction.report.defects.zero_area_triangles, checkpoint.report.defects.zero_area_triangles);
     }
@@ -215,15 +215,15 @@ TEST_P(Onward, KeepsItsPromiseOverOddSurfaces) {
 
 TEST_P(Onward, TakesRelativeBoundsFromTheExtentsOfTheOriginal) {
     const Mesh mesh = usual_mesh();
-    const Reduction scratch = promise::reduced(mesh, promise::percent(4, 12), options);
-    const Reduction reduction = onward(passed(mesh, usual), promise::percent(4, 12));
-    EXPECT_EQ(promise::absolute_bounds(reduction), promise::absolute_bounds(scratch));
+    const Reduction scratch = guarantee::reduced(mesh, guarantee::percent(4, 12), options);
+    const Reduction reduction = onward(passed(mesh, usual), guarantee::percent(4, 12));
+    EXPECT_EQ(guarantee::absolute_bounds(reduction), guarantee::absolute_bounds(scratch));
 }
 
 TEST_P(Onward, ReportsOnTheOriginal) {
     const Mesh mesh = with_regions();
     const Checkpoint checkpoint = passed(mesh, usual);
-    const Reduction reduction = onward(checkpoint, promise::percent(3, 9));
+    const Reduction reduction = onward(checkpoint, guarantee::percent(3, 9));
     const Report& report = reduction.report;
     EXPECT_EQ(report.triangles_before, mesh.triangles.size());
     EXPECT_EQ(report.vertices_before, vertex_count(mesh));
@@ -254,7 +254,7 @@ TEST_P(Onward, WhatIsLockedStays) {
     options.locked = {5, 100, 311};
     options.locked_boxes = {box};
     options.locked_regions = {3};
-    const Reduction reduction = onward(passed(mesh, usual), promise::percent(4, 12));
+    const Reduction reduction = onward(passed(mesh, usual), guarantee::percent(4, 12));
     const auto is_left = [&](std::uint32_t vertex) {
         return std::binary_search(reduction.vertices.begin(), reduction.vertices.end(), vertex);
     };
@@ -269,7 +269,7 @@ TEST_P(Onward, WhatIsLockedStays) {
     EXPECT_GT(in_box, 0U);
     EXPECT_EQ(reduction.report.regions[0].triangles_after, reduction.report.regions[0].triangles_before);
     EXPECT_LT(reduction.report.regions[1].triangles_after, reduction.report.regions[1].triangles_before);
-    promise::expect_judge_agrees(mesh, reduction);
+    guarantee::expect_judge_agrees(mesh, reduction);
 }
 
 TEST_P(Onward, ALockedVertexThatIsGoneIsNamed) {
@@ -278,7 +278,7 @@ TEST_P(Onward, ALockedVertexThatIsGoneIsNamed) {
     std::uint32_t gone = 0;
     while (checkpoint.vertices[gone] == gone) ++gone;
     options.locked = {checkpoint.vertices[0], gone};
-    const Status status = refused(checkpoint, promise::percent(4, 12));
+    const Status status = refused(checkpoint, guarantee::percent(4, 12));
     EXPECT_EQ(status.fault, Fault::bad_checkpoint);
     EXPECT_EQ(status.index, gone);
 }
@@ -294,7 +294,7 @@ TEST_P(Onward, NamesTheVariableWhoseBoundIsSpent) {
     EXPECT_EQ(status.fault, Fault::bad_checkpoint);
     EXPECT_EQ(status.variable, "wave");
     EXPECT_THAT(status.message, testing::HasSubstr("“wave”"));
-    EXPECT_EQ(refused(checkpoint, promise::percent(0.001, 3)).variable, "position");
+    EXPECT_EQ(refused(checkpoint, guarantee::percent(0.001, 3)).variable, "position");
 }
 
 TEST_P(Onward, RefusesACheckpointThatContradictsItself) {
@@ -303,7 +303,7 @@ TEST_P(Onward, RefusesACheckpointThatContradictsItself) {
     const auto broken = [&](const auto& breakage) {
         Checkpoint checkpoint = good;
         breakage(checkpoint);
-        return refused(checkpoint, promise::percent(4, 12)).fault;
+        return refused(checkpoint, guarantee::percent(4, 12)).fault;
     };
     EXPECT_EQ(broken([](Checkpoint& w) { w.vertices.pop_back(); }), Fault::bad_checkpoint);
     EXPECT_EQ(broken([](Checkpoint& w) { std::swap(w.vertices[0], w.vertices[1]); }), Fault::bad_checkpoint);
@@ -325,7 +325,7 @@ TEST_P(Onward, NamesTheVertexThatCannotBeOfTheOriginal) {
     const auto broken = [&](std::size_t vertex, std::uint32_t of_original) {
         Checkpoint checkpoint = good;
         checkpoint.vertices[vertex] = of_original;
-        return refused(checkpoint, promise::percent(4, 12));
+        return refused(checkpoint, guarantee::percent(4, 12));
     };
     Status status = broken(5, 1'000'000);
     EXPECT_EQ(status.index, 5U);
@@ -355,7 +355,7 @@ TEST_P(Onward, WhateverIsDamagedIsRefusedOrHarmless) {
         default: checkpoint.mesh.triangles[random.below(checkpoint.mesh.triangles.size())].y = value;
         }
         Reduction reduction;
-        const Status status = resume_reduction(checkpoint, promise::percent(4, 12), options, reduction);
+        const Status status = resume_reduction(checkpoint, guarantee::percent(4, 12), options, reduction);
         refusals += !status.ok();
         if (!status.ok()) continue;
         EXPECT_EQ(reduction.vertices.size(), vertex_count(reduction.mesh));
@@ -372,13 +372,13 @@ TEST_P(Onward, RefusesWhatOnlyTheOriginalCanTell) {
     const Checkpoint checkpoint = passed(mesh, usual);
     const Options plain = options;
     options.bound_multiplier = "focus";
-    EXPECT_EQ(refused(checkpoint, promise::percent(4, 12)).fault, Fault::bad_option);
+    EXPECT_EQ(refused(checkpoint, guarantee::percent(4, 12)).fault, Fault::bad_option);
     options = plain;
     options.limit_to_feature_size = true;
-    EXPECT_EQ(refused(checkpoint, promise::percent(4, 12)).fault, Fault::bad_option);
+    EXPECT_EQ(refused(checkpoint, guarantee::percent(4, 12)).fault, Fault::bad_option);
     options = plain;
     options.drop_small_components = true;
-    EXPECT_EQ(refused(checkpoint, promise::percent(4, 12)).fault, Fault::bad_option);
+    EXPECT_EQ(refused(checkpoint, guarantee::percent(4, 12)).fault, Fault::bad_option);
 }
 
 TEST_P(Onward, GoesOnFromACheckpointOfMultipliedBounds) {
@@ -387,8 +387,8 @@ TEST_P(Onward, GoesOnFromACheckpointOfMultipliedBounds) {
     options.bound_multiplier = "focus";
     const Checkpoint checkpoint = passed(mesh, usual);
     options.bound_multiplier.clear();
-    promise::expect_everything(mesh, as_reduction(checkpoint));
-    promise::expect_everything(mesh, onward(checkpoint, promise::percent(3, 9)));
+    guarantee::expect_everything(mesh, as_reduction(checkpoint));
+    guarantee::expect_everything(mesh, onward(checkpoint, guarantee::percent(3, 9)));
 }
 
 TEST_P(Onward, OneSweepPassesNoCheckpoint) {
@@ -404,34 +404,34 @@ TEST_P(Onward, IsTheSameForAnyNumberOfThreads) {
     const Mesh mesh = meshes::gallery()[2].mesh;
     const Checkpoint checkpoint = passed(mesh, usual);
     options.threads = 1;
-    const Reduction one = onward(checkpoint, promise::percent(3, 9));
+    const Reduction one = onward(checkpoint, guarantee::percent(3, 9));
     options.threads = 3;
-    EXPECT_TRUE(promise::same_bits(one.mesh, onward(checkpoint, promise::percent(3, 9)).mesh));
+    EXPECT_TRUE(guarantee::same_bits(one.mesh, onward(checkpoint, guarantee::percent(3, 9)).mesh));
 }
 
 TEST_P(Onward, LeavesACheckpointUntouchedThatWasNotReached) {
     Mesh mesh = meshes::torus(70, 36);
     meshes::add_usual_fields(mesh);
-    Checkpoint checkpoint = passed(mesh, promise::percent(0.2, 0.5));
+    Checkpoint checkpoint = passed(mesh, guarantee::percent(0.2, 0.5));
     checkpoint.report.feature_size = 0.125;
     const Mesh before = checkpoint.mesh;
     Reduction part;
     ASSERT_TRUE(meshbound::reduce(
-                    mesh, promise::percent(3, 9), options, part, [](double) { return false; }, &checkpoint)
+                    mesh, guarantee::percent(3, 9), options, part, [](double) { return false; }, &checkpoint)
                     .ok());
     EXPECT_EQ(part.report.termination, Termination::cancelled);
     EXPECT_EQ(checkpoint.report.feature_size, 0.125);
-    EXPECT_TRUE(promise::same_bits(checkpoint.mesh, before));
+    EXPECT_TRUE(guarantee::same_bits(checkpoint.mesh, before));
 }
 
 TEST_P(Onward, ReportsProgressAndCanBeCancelled) {
     Mesh mesh = meshes::torus(70, 36);
     meshes::add_usual_fields(mesh);
     options.threads = 1;
-    const Checkpoint checkpoint = passed(mesh, promise::percent(0.2, 0.5));
+    const Checkpoint checkpoint = passed(mesh, guarantee::percent(0.2, 0.5));
     std::vector<double> values;
     Reduction whole;
-    ASSERT_TRUE(resume_reduction(checkpoint, promise::percent(3, 9), options, whole, [&](double value) {
+    ASSERT_TRUE(resume_reduction(checkpoint, guarantee::percent(3, 9), options, whole, [&](double value) {
                     values.push_back(value);
                     return true;
                 }).ok());
@@ -442,13 +442,13 @@ TEST_P(Onward, ReportsProgressAndCanBeCancelled) {
     for (const std::size_t last : {std::size_t(1), static_cast<std::size_t>(sweeping)}) {
         std::size_t call = 0;
         Reduction part;
-        ASSERT_TRUE(resume_reduction(checkpoint, promise::percent(3, 9), options, part, [&](double) {
+        ASSERT_TRUE(resume_reduction(checkpoint, guarantee::percent(3, 9), options, part, [&](double) {
                         return call++ < last;
                     }).ok());
         EXPECT_EQ(part.report.termination, Termination::cancelled);
         EXPECT_GT(part.mesh.triangles.size(), whole.mesh.triangles.size());
         EXPECT_TRUE(part.triangle_errors.empty());
-        promise::expect_everything(mesh, part, 5'000);
+        guarantee::expect_everything(mesh, part, 5'000);
     }
 }
 

@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "mesh/orientation.hpp"
 #include "meshbound/segmentation.hpp"
 #include "meshes/defects.hpp"
@@ -21,7 +22,6 @@
 #include "meshes/shapes.hpp"
 #include "meshes/topology.hpp"
 #include "meshes/variations.hpp"
-#include "promise.hpp"
 #include "samples.hpp"
 #include "segmentation/cell_cutter.hpp"
 
@@ -48,7 +48,7 @@ std::vector<Options> all_choices() {
 class Segmented {
 public:
     Segmented(const Mesh& mesh, const Bounds& bounds, const Options& options)
-        : mesh_(mesh), reduction_(promise::reduced(mesh, bounds, options)) {
+        : mesh_(mesh), reduction_(guarantee::reduced(mesh, bounds, options)) {
         const Status status = segment({mesh_, reduction_}, segmentation_);
         EXPECT_TRUE(status.ok()) << status.message;
         // From here on as they are reduced: turned where they face the wrong side.
@@ -277,7 +277,7 @@ private:
 
 TEST(Segmentation, CoversEveryKindOfSurface) {
     for (const meshes::Exhibit& exhibit : meshes::gallery())
-        for (const Bounds& bounds : {promise::percent(1, 3), promise::percent(6, 10), promise::percent(50, 100)})
+        for (const Bounds& bounds : {guarantee::percent(1, 3), guarantee::percent(6, 10), guarantee::percent(50, 100)})
             for (const Options& options : all_choices()) {
                 SCOPED_TRACE(exhibit.name);
                 Segmented(exhibit.mesh, bounds, options).expect_everything();
@@ -291,7 +291,7 @@ TEST(Segmentation, CoversOddSurfaces) {
         if (meshes::topology(odd).discordant_edges > 0)
             continue; // what the reduction turns round lies the other way here
         for (const Options& options : all_choices())
-            Segmented(odd, promise::percent(3, 10), options).expect_everything();
+            Segmented(odd, guarantee::percent(3, 10), options).expect_everything();
     }
 }
 
@@ -303,18 +303,19 @@ TEST(Segmentation, CoversSurfacesOfSeveralRegions) {
             mesh.regions.push_back((p.x > 0.3) + 2 * (p.y > 0.4 * p.x) + 4 * (p.z > 0.5));
         }
         for (const Options& options : all_choices())
-            Segmented(mesh, promise::percent(3, 10), options).expect_everything();
+            Segmented(mesh, guarantee::percent(3, 10), options).expect_everything();
     }
 }
 
 TEST(Segmentation, CoversSamples) {
-    for_each_sample(15'000, [](const Mesh& mesh) { Segmented(mesh, promise::percent(1, 3), {}).expect_everything(); });
+    for_each_sample(15'000,
+                    [](const Mesh& mesh) { Segmented(mesh, guarantee::percent(1, 3), {}).expect_everything(); });
 }
 
 TEST(Segmentation, LeavesRepeatedVerticesOut) {
     Mesh mesh = meshes::sphere(6);
     mesh.triangles.insert(mesh.triangles.begin() + 7, {3, 3, 5});
-    Segmented(mesh, promise::percent(3, 3), {}).expect_everything();
+    Segmented(mesh, guarantee::percent(3, 3), {}).expect_everything();
 }
 
 TEST(Segmentation, OfAPlaneAsLaidOutHasNoFolds) {
@@ -345,7 +346,7 @@ TEST(Segmentation, IsTheMeshItselfWhereNothingWasRemoved) {
 TEST(Segmentation, OfPropagatedErrorsIsEmpty) {
     Options options;
     options.errors = ErrorAccounting::propagated;
-    const Segmented none(meshes::sphere(6), promise::percent(3, 3), options);
+    const Segmented none(meshes::sphere(6), guarantee::percent(3, 3), options);
     EXPECT_TRUE(none.segmentation().cells.empty());
     EXPECT_TRUE(none.segmentation().pieces.empty());
 }

@@ -1,4 +1,4 @@
-// Any number of threads gives the same bytes, and what they give keeps the promise.
+// Any number of threads gives the same bytes, and what they give gives the guarantee.
 
 #include <algorithm>
 #include <atomic>
@@ -10,13 +10,13 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/near_lobes.hpp"
 #include "meshes/shapes.hpp"
 #include "meshes/variations.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 #include "reduction/patches.hpp"
 #include "util/thread_pool.hpp"
 
@@ -38,15 +38,15 @@ std::vector<Case> cases() {
         return mesh;
     };
     const auto scaled = [](const Mesh& mesh) { return meshes::mapped(mesh, [](glm::dvec3 p) { return 0.1 * p; }); };
-    return {{"torus", with_fields(meshes::torus(160, 80)), promise::percent(1, 3)},
-            {"terrain", with_fields(meshes::terrain(7, 3)), promise::percent(2, 6)},
+    return {{"torus", with_fields(meshes::torus(160, 80)), guarantee::percent(1, 3)},
+            {"terrain", with_fields(meshes::terrain(7, 3)), guarantee::percent(2, 6)},
             {"noisy sphere", meshes::noisy_sphere(64, 0.01, 7), {{"position", relative(0.02)}}},
-            {"three sheets", with_fields(scaled(meshes::three_sheets(60))), promise::percent(1, 3)}};
+            {"three sheets", with_fields(scaled(meshes::three_sheets(60))), guarantee::percent(1, 3)}};
 }
 
 Reduction reduced_by(unsigned threads, const Case& given, Options options) {
     options.threads = threads;
-    return promise::reduced(given.mesh, given.bounds, options);
+    return guarantee::reduced(given.mesh, given.bounds, options);
 }
 
 void expect_same(const TriangleErrors& one, const TriangleErrors& other) {
@@ -74,7 +74,7 @@ void expect_same(const SurfaceMap& one, const SurfaceMap& other) {
 }
 
 void expect_same(const Reduction& one, const Reduction& other) {
-    EXPECT_TRUE(promise::same_bits(one.mesh, other.mesh));
+    EXPECT_TRUE(guarantee::same_bits(one.mesh, other.mesh));
     EXPECT_EQ(one.vertices, other.vertices);
     ASSERT_EQ(one.triangle_errors.size(), other.triangle_errors.size());
     for (std::size_t i = 0; i < one.triangle_errors.size(); ++i)
@@ -105,10 +105,10 @@ TEST_P(ThreadsTest, AnyNumberGivesTheSameBytes) {
     }
 }
 
-TEST_P(ThreadsTest, TheirResultKeepsThePromise) {
+TEST_P(ThreadsTest, TheirResultGivesTheGuarantee) {
     for (const Case& given : cases()) {
         SCOPED_TRACE(given.name);
-        promise::expect_everything(given.mesh, reduced_by(3, given, GetParam().options()), 20'000);
+        guarantee::expect_everything(given.mesh, reduced_by(3, given, GetParam().options()), 20'000);
     }
 }
 
@@ -141,7 +141,7 @@ TEST_P(ThreadsTest, CancelledTheyLeaveAValidResult) {
             reduce(given.mesh, given.bounds, options, reduction, [at](double value) { return value < at; });
         EXPECT_TRUE(status.ok());
         EXPECT_EQ(reduction.report.termination, Termination::cancelled);
-        promise::expect_everything(given.mesh, reduction, 2'000);
+        guarantee::expect_everything(given.mesh, reduction, 2'000);
     }
 }
 
@@ -183,7 +183,7 @@ TEST(ThreadsOfLevelsTest, AnyNumberGivesTheSameLevelsAndMorphs) {
         options.reduction.threads = threads;
         options.morphs = true;
         Levels levels;
-        EXPECT_TRUE(reduce_levels(given.mesh, {given.bounds, promise::percent(3, 6)}, options, levels).ok());
+        EXPECT_TRUE(reduce_levels(given.mesh, {given.bounds, guarantee::percent(3, 6)}, options, levels).ok());
         return levels;
     };
     const Levels alone = levels_by(1), together = levels_by(3);

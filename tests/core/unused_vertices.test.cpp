@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "judge/judge.hpp"
 #include "meshbound/feature_size.hpp"
 #include "meshbound/meshbound.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/shapes.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -88,20 +88,20 @@ class UnusedVerticesTest : public ModeTest {};
 EVERY_MODE(UnusedVerticesTest);
 
 void expect_same_result(const Mesh& mesh, const Options& options) {
-    const Reduction expected = promise::reduced(mesh, bounds, options);
+    const Reduction expected = guarantee::reduced(mesh, bounds, options);
     for (const double stray : strays) {
         SCOPED_TRACE(stray);
         const Mesh strayed = with_strays(mesh, stray);
-        const Reduction reduction = promise::reduced(strayed, bounds, options);
-        EXPECT_TRUE(promise::same_bits(reduction.mesh, expected.mesh));
+        const Reduction reduction = guarantee::reduced(strayed, bounds, options);
+        EXPECT_TRUE(guarantee::same_bits(reduction.mesh, expected.mesh));
         EXPECT_EQ(reduction.vertices, expected.vertices);
         for (std::size_t i = 0; i < expected.report.variables.size(); ++i)
             EXPECT_EQ(reduction.report.variables[i].error, expected.report.variables[i].error);
         for (std::size_t i = 0; i < reduction.vertex_errors.size(); ++i)
             EXPECT_EQ(reduction.vertex_errors[i].error.back(), 0);
-        const std::vector<double> limits = promise::absolute_bounds(reduction);
-        EXPECT_LE(judge::judge(strayed, reduction.mesh, limits, 5'000).ratio(), 1 + promise::hair);
-        EXPECT_LE(judge::judge_boundary(strayed, reduction.mesh, limits, 5'000).ratio(), 1 + promise::hair);
+        const std::vector<double> limits = guarantee::absolute_bounds(reduction);
+        EXPECT_LE(judge::judge(strayed, reduction.mesh, limits, 5'000).ratio(), 1 + guarantee::hair);
+        EXPECT_LE(judge::judge_boundary(strayed, reduction.mesh, limits, 5'000).ratio(), 1 + guarantee::hair);
     }
 }
 
@@ -111,10 +111,10 @@ TEST_P(UnusedVerticesTest, ChangeNothingWhereTheBoundsAreMultiplied) {
     Options options = GetParam().options();
     options.bound_multiplier = "focus";
     const Mesh mesh = bumpy(true);
-    const Reduction expected = promise::reduced(mesh, bounds, options);
+    const Reduction expected = guarantee::reduced(mesh, bounds, options);
     for (const double stray : strays)
         EXPECT_TRUE(
-            promise::same_bits(promise::reduced(with_strays(mesh, stray), bounds, options).mesh, expected.mesh));
+            guarantee::same_bits(guarantee::reduced(with_strays(mesh, stray), bounds, options).mesh, expected.mesh));
 }
 
 TEST_P(UnusedVerticesTest, ChangeNothingOfWhatIsKeptOrLeftOut) {
@@ -129,7 +129,7 @@ TEST_P(UnusedVerticesTest, ChangeNothingOfWhatIsKeptOrLeftOut) {
 TEST(UnusedVertices, AreMetByNoBox) {
     Options options;
     options.locked_boxes = {{{-6e6, -6e6, -6e6}, {-4e6, -4e6, -4e6}}};
-    const Reduction reduction = promise::reduced(with_strays(bumpy(), -5e6), bounds, options);
+    const Reduction reduction = guarantee::reduced(with_strays(bumpy(), -5e6), bounds, options);
     EXPECT_EQ(reduction.report.unused_locked_boxes, (std::vector<std::size_t>{0}));
 }
 
@@ -142,7 +142,7 @@ TEST(UnusedVertices, ChangeNoLevelAndNoMorph) {
     for (const double stray : strays) {
         ASSERT_TRUE(reduce_levels(with_strays(bumpy(), stray), steps, options, levels).ok());
         for (std::size_t i = 0; i < steps.size(); ++i)
-            EXPECT_TRUE(promise::same_bits(levels.levels[i].mesh, expected.levels[i].mesh));
+            EXPECT_TRUE(guarantee::same_bits(levels.levels[i].mesh, expected.levels[i].mesh));
     }
 }
 

@@ -11,11 +11,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshbound/meshbound.hpp"
 #include "meshes/defects.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/shapes.hpp"
-#include "promise.hpp"
 
 namespace {
 
@@ -169,7 +169,7 @@ TEST(Validate, MoreVariablesThanCanBeNumbered) {
     EXPECT_THAT(status.message, HasSubstr("has 65536 variables; at most 65535"));
 
     const Mesh mesh = with_variables(most);
-    const Reduction reduction = promise::reduced(mesh, {{"last", relative(1e-3)}});
+    const Reduction reduction = guarantee::reduced(mesh, {{"last", relative(1e-3)}});
     EXPECT_EQ(reduction.report.variables.back().name, "last");
     EXPECT_GT(reduction.report.variables.back().refused, 0U) << "what the last one refuses counts for another";
 }

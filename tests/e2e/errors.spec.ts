@@ -88,7 +88,7 @@ test('errors have maps of their own', async () => {
 test('a variable without a bound has no error / bound, but a signed error', async () => {
   await look(page(), { show: 'error / bound', colour: 'vz' });
   await page().getByRole('checkbox', { name: 'vz bounded' }).uncheck();
-  await expect(sentence(page())).toContainText('nothing promised: vz');
+  await expect(sentence(page())).toContainText('nothing guaranteed: vz');
   await expect(page().locator('meshbound-legend .title')).toHaveText(
     Array(2).fill('error / bound: vz (free: no bound)'),
   );
@@ -98,7 +98,7 @@ test('a variable without a bound has no error / bound, but a signed error', asyn
   await expect(page().locator('meshbound-legend .ends').first()).toHaveText(/−largest\s*\+largest/);
   await shownIn(page(), 'RdBu');
   await page().getByRole('checkbox', { name: 'vz bounded' }).check();
-  await expect(sentence(page())).not.toContainText('nothing promised');
+  await expect(sentence(page())).not.toContainText('nothing guaranteed');
   await settled(page());
 });
 

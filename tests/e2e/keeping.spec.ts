@@ -388,7 +388,7 @@ test('parts smaller than the bound are dropped when asked for, and counted', asy
   const isSmall = ([, , z]: number[]) => z > 0.4;
   expect(placesOf((await savedMesh()).mesh).filter(isSmall)).toHaveLength(4);
   await tick('Drop parts smaller than the bound').check();
-  await expect(sentence(page())).toContainText('1 small part left out: nothing promised of it.');
+  await expect(sentence(page())).toContainText('1 small part left out: nothing guaranteed of it.');
   await expect(report.locator('summary')).toContainText('1 part dropped');
   await expect(report).toContainText('1 dropped (4 triangles)');
   expect(placesOf((await savedMesh()).mesh).filter(isSmall)).toEqual([]);

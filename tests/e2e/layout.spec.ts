@@ -23,7 +23,7 @@ async function watchParts(page: Page): Promise<void> {
   });
 }
 
-test('on a narrow page a promise of more lines than there is room for can be read whole', async ({ page }) => {
+test('on a narrow page a guarantee of more lines than there is room for can be read whole', async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await openPage(page);
   const sentence = page.locator('.sentence');

@@ -65,11 +65,11 @@ test.describe('on one page', () => {
     }
   });
 
-  test('a variable without a bound holds nothing back and nothing is promised of it', async () => {
+  test('a variable without a bound holds nothing back and nothing is guaranteed of it', async () => {
     const first = await counts(page());
     const toggle = page().getByRole('checkbox', { name: 'temperature bounded' });
     await toggle.uncheck();
-    await expect(sentence(page())).toContainText('Free, so nothing promised: temperature');
+    await expect(sentence(page())).toContainText('Free, so nothing guaranteed: temperature');
     expect((await counts(page())).after).toBeLessThan(first.after);
     await expect(page().getByRole('slider', { name: 'Bound of temperature' })).toBeDisabled();
     await toggle.check();

@@ -4,7 +4,7 @@ import { readSurface } from '../../web/formats/read.ts';
 import { writeSurface } from '../../web/formats/write.ts';
 import { chooseFile, counts, saved, settled, sharePage, typePercent } from './open-page.ts';
 
-// GLB rounds to single precision. What the page promises, it promises of the file.
+// GLB rounds to single precision. What the page guarantees, it guarantees of the file.
 
 const page = sharePage();
 const side = 40;

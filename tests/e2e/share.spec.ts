@@ -38,7 +38,7 @@ test('undoes and redoes changes of bounds, a drag of a slider as one', async () 
 
 test('bounds can be chosen ready-made, and stated in the variable’s unit', async () => {
   await choose(page(), 'Presets', 'Shape only');
-  await expect(sentence(page())).toContainText(/within 1.% in space: proved.*nothing promised: density/);
+  await expect(sentence(page())).toContainText(/within 1.% in space: proved.*nothing guaranteed: density/);
   await choose(page(), 'Presets', 'Usual');
   await page().getByLabel('How the bound of temperature is stated').selectOption('K');
   const field = page().getByLabel('Bound of temperature in K');

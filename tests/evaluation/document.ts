@@ -21,7 +21,7 @@ This page, with all its numbers and pictures, is written by \`npm run evaluate\`
 C. Bajaj and D. Schikore, *Error-bounded Reduction of Triangle Meshes with Multivariate Data* (1996); the method is described
 in [algorithm.md](algorithm.md).
 
-*Propagated* is the paper's accounting of errors, *tracked* is ours and the default. Both promise that there is a continuous
+*Propagated* is the paper's accounting of errors, *tracked* is ours and the default. Both guarantee that there is a continuous
 map from the original surface onto the reduced one which keeps every bound at every point. The judge (\`meshbound/verify.hpp\`) knows
 nothing of either: it looks at the two surfaces in the joint space of position and variables, at some 50 000 points of each.
 Where it finds a bound broken, the evaluation fails and writes nothing.
@@ -40,9 +40,9 @@ Triangles left, and their share. The paper gives shares over both bounds togethe
 
 ## The errors reached
 
-*Bound* is in the variable's unit; the other columns are in percent of it. *Promised*: the largest error that the
+*Bound* is in the variable's unit; the other columns are in percent of it. *Guaranteed*: the largest error that the
 accounting allows for any point. *Judged*: the smallest bound of this variable at which the judge still
-passes, all other bounds being as they are, to ${(100 / 128).toFixed(1)} %; *all together* is the judge's own ratio. Promised
+passes, all other bounds being as they are, to ${(100 / 128).toFixed(1)} %; *all together* is the judge's own ratio. Guaranteed
 errors near 100 % and judged ones far below mean that the accounting overestimates.
 
 ${paper.errors}

@@ -27,7 +27,7 @@ ${sizeTable(surfaces)}
 
 ## What is seen of folds
 
-Where the map turns a piece over, the morph is folded. The promise holds all the same; what matters is what one sees. So
+Where the map turns a piece over, the morph is folded. The guarantee holds all the same; what matters is what one sees. So
 a camera watches each way in ${frames} frames, coloured by pressure. *Changed*: the share of the surface's pixels
 that change by more than 3 % of the range of a colour from one frame to the next, in the median and at most: a flip would stand out as
 a frame that changes more than others. *Detour*: how far a pixel's colour goes beyond the way from its first to its last, in 1/255, in the

@@ -77,6 +77,6 @@ function errorTable({ propagated, tracked }: Result, units: Surface['units']): s
     ]),
   ]);
   const all = ['all together', '', '', percent(propagated.judged), '', percent(tracked.judged)];
-  const head = ['variable', 'bound', 'propagated: promised', 'judged', 'tracked: promised', 'judged'];
+  const head = ['variable', 'bound', 'propagated: guaranteed', 'judged', 'tracked: guaranteed', 'judged'];
   return markdownTable(head, [...lines, all]);
 }

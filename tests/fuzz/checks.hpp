@@ -7,7 +7,7 @@ namespace fuzz {
 
 void require(bool condition, const char* what);
 
-/// The promises of a reduction of a mesh within its bounds, under its options.
+/// The guarantees of a reduction of a mesh within its bounds, under its options.
 void check_reduction(const meshbound::Mesh& mesh, const meshbound::Options& options,
                      const meshbound::Reduction& reduction);
 

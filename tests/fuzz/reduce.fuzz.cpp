@@ -1,7 +1,7 @@
 // Feeds the core meshes, bounds and options that nobody would make on purpose. Whatever comes in, a reduction ends with a
-// fault that has a message, or with a surface of the same topology that keeps what it promises under its options, as its own
+// fault that has a message, or with a surface of the same topology that keeps what it guarantees under its options, as its own
 // map proves; levels of detail nest besides, and morphs between them hang together. What is resumed from a checkpoint keeps
-// the same promise, as the judge finds.
+// the same guarantee, as the judge finds.
 //
 //     build/fuzz/tests/reduce_fuzz -max_total_time=60
 

@@ -8,7 +8,7 @@
 
 namespace meshes {
 
-/// A surface with the variables "linear", "wave", "jump" and "whirl", to run every promise over.
+/// A surface with the variables "linear", "wave", "jump" and "whirl", to run every guarantee over.
 struct Exhibit {
     std::string name;
     meshbound::Mesh mesh;

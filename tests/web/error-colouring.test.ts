@@ -130,7 +130,7 @@ describe('signed errors', () => {
     expect(meaning.detail).toContain('+ where the reduced surface is outside');
   });
 
-  test('of position, propagated, are no broken promise where their sum exceeds the bound', () => {
+  test('of position, propagated, are no broken guarantee where their sum exceeds the bound', () => {
     const { places, meaning } = reducedErrors(
       propagated({ interval: [-7, 1] }),
       labels,

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { Report } from '../../wasm/types.ts';
-import { promiseSentence } from '../../web/element/result/promise-words.ts';
+import { guaranteeSentence } from '../../web/element/result/guarantee-words.ts';
 import { type Reason, whyLittleWent } from '../../web/session/report/why-little-went.ts';
 import { littleWentSentence } from '../../web/words/little-went.ts';
 import { noDefects } from './no-defects.ts';
@@ -45,7 +45,7 @@ describe('why little went', () => {
       const held = report(80, 16, { locked: 1, fold: 1, [reason]: 62 });
       const why = whyLittleWent(held);
       expect(why?.reason).toBe(reason);
-      expect(promiseSentence(held, true)).toContain('Why so little went: ');
+      expect(guaranteeSentence(held, true)).toContain('Why so little went: ');
     },
   );
 
@@ -59,7 +59,7 @@ describe('why little went', () => {
   test('is not said where the bounds keep as many', () => {
     expect(whyLittleWent(report(80, 40, { fold: 40 }))).toBeUndefined();
     expect(whyLittleWent(report(80, 80, {}))).toBeUndefined();
-    expect(promiseSentence(report(80, 60, { fold: 20 }), true)).not.toContain('little');
+    expect(guaranteeSentence(report(80, 60, { fold: 20 }), true)).not.toContain('little');
   });
 
   test('is not said where half of the candidates went, whatever points no triangle uses', () => {

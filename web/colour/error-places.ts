@@ -6,7 +6,7 @@ const roundedUp = 2 ** -23;
 /** As single precision holds it. */
 const missing = Math.fround(missingPlace);
 
-/** The place of an error in a map; above 1 a broken promise, `missingPlace` where there is nothing to show. */
+/** The place of an error in a map; above 1 a broken guarantee, `missingPlace` where there is nothing to show. */
 export type PlaceOf = (error: number) => number;
 
 /**

@@ -48,5 +48,5 @@ function advice(error: FormatError | MeshboundError): string {
 
 /** The two ways out where a variable can have no bound. */
 export function unboundedAdvice(name: string): string {
-  return ` To carry it along as it is, with nothing promised of it: --bound "${name}=free". To leave it out: --exclude "${name}".`;
+  return ` To carry it along as it is, with nothing guaranteed of it: --bound "${name}=free". To leave it out: --exclude "${name}".`;
 }

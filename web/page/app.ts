@@ -17,7 +17,7 @@ import type { BoundChange } from './bounds/bounds-panel.ts';
 import './bounds/bounds-panel.ts';
 import { keepingText, type WantedKeeping } from '../element/attributes/keeping-attributes.ts';
 import { controlsStyle } from '../element/controls/controls-style.ts';
-import { isMeasured } from '../element/result/promise-words.ts';
+import { isMeasured } from '../element/result/guarantee-words.ts';
 import { tokens } from '../element/tokens.ts';
 import { FileDrop } from './toolbar/file-drop.ts';
 import '../element/result/result-bar.ts';

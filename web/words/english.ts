@@ -13,21 +13,21 @@ function listed(names: string[]): string {
 export const english = {
   triangles: (count: number) => (count === 1 ? 'triangle' : 'triangles'),
 
-  promise: {
+  guarantee: {
     space: 'space',
     counted: (after: string, before: string, triangles: string) => `${after} of ${before} ${triangles}.`,
     proved: (bounds: string, used: string) => `Every point within ${bounds}: proved; ${used}.`,
     bound: (bound: string, names: string[]) => `${bound} in ${listed(names)}`,
     multiplied: ', times the multiplier there',
     dropped: (count: string, parts: number) =>
-      `${count} small ${parts === 1 ? 'part' : 'parts'} left out: nothing promised of ${parts === 1 ? 'it' : 'them'}.`,
+      `${count} small ${parts === 1 ? 'part' : 'parts'} left out: nothing guaranteed of ${parts === 1 ? 'it' : 'them'}.`,
     noError: 'no error at all',
     rounding: 'no error beyond rounding',
     mostUsed: (name: string, error: string, share: string) => `most used: ${name}, ${error} (${share} of its bound)`,
     mostUsedThere: (name: string, error: string, share: string) =>
       `most used: ${name}, ${share} of its bound there; its largest error is ${error}`,
     atMost: (error: string) => `at most ${error}`,
-    free: (names: string[]) => `Free, so nothing promised: ${listed(names)}.`,
+    free: (names: string[]) => `Free, so nothing guaranteed: ${listed(names)}.`,
   },
 
   sentence: {

@@ -84,7 +84,7 @@ export const pageEnglish = {
       'Where parts pass near each other: keep them apart exactly, which takes about half as long again; or limit the bound in space to half their distance.',
     dropSmallComponents: 'Drop parts smaller than the bound',
     smallParts:
-      'Parts of the surface whose box has a diagonal within the bound in space are left out and counted; the promise is about the rest.',
+      'Parts of the surface whose box has a diagonal within the bound in space are left out and counted; the guarantee is about the rest.',
   },
 
   report: {

@@ -36,7 +36,7 @@ struct Levels {
 
 /// Reduces a mesh to nested levels of detail, one for each of the bounds, finest first (§4). Each level continues from the
 /// one before, so its vertices are a subset of the finer one's, bit for bit; and each keeps its own bounds against the
-/// original, as `reduce` promises. The first level is what `reduce` makes of the first bounds; a coarser one has seldom
+/// original, as `reduce` guarantees. The first level is what `reduce` makes of the first bounds; a coarser one has seldom
 /// quite as few triangles as a reduction from scratch.
 ///
 /// From level to level no bound may fall and at least one must rise; there is at least one level.

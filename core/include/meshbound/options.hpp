@@ -11,7 +11,7 @@
 
 namespace meshbound {
 
-/// How errors are accounted for. Both keep the promise.
+/// How errors are accounted for. Both give the guarantee.
 enum class ErrorAccounting {
     propagated, ///< the paper's scheme (§3.3.3): signed intervals on the triangles, added up removal by removal
     tracked,    ///< the map from the original surface is kept and measured against the original at every step
@@ -68,7 +68,7 @@ struct Options {
     std::vector<std::int32_t> locked_regions;
 
     /// Whether parts of the surface whose box has a diagonal within the bound of position are left out and counted
-    /// (Report::dropped); the promise is then about the rest. A part hangs together over vertices, or over vertices in one
+    /// (Report::dropped); the guarantee is then about the rest. A part hangs together over vertices, or over vertices in one
     /// place. The largest part stays, as do parts with locked vertices. Where the bound is multiplied, its least value in the
     /// part counts; of levels those of the first one. Position must not be free there.
     bool drop_small_components = false;

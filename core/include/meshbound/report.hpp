@@ -11,7 +11,7 @@
 
 namespace meshbound {
 
-/// What was promised and reached for one variable. Errors and bounds are in the variable's unit.
+/// What was guaranteed and reached for one variable. Errors and bounds are in the variable's unit.
 struct VariableReport {
     std::string name;
     int components = 1;

@@ -9,7 +9,7 @@
 
 namespace meshbound {
 
-/// Resumes a reduction from a checkpoint, in a fraction of the time that a reduction from scratch takes, and keeps the same promise:
+/// Resumes a reduction from a checkpoint, in a fraction of the time that a reduction from scratch takes, and gives the same guarantee:
 /// every bound holds between the ORIGINAL and the result.
 ///
 /// Why: let Φ map the original onto the checkpoint and Ψ the checkpoint onto the result. Ψ∘Φ is continuous and onto, maps boundary

@@ -45,7 +45,7 @@ struct Segmentation {
     std::vector<glm::uvec3> pieces;      ///< three corners (by the same names) each, cell by cell
 
     /// Folds: where the map turns the surface over. A piece is folded when its image in the reduced triangle runs
-    /// clockwise; a cell when any of its pieces is, in the triangulation that folds the least. The promise holds with
+    /// clockwise; a cell when any of its pieces is, in the triangulation that folds the least. The guarantee holds with
     /// or without folds.
     std::size_t folded_cells = 0, folded_pieces = 0;
     double folded_original = 0; ///< the folded pieces' share of the original's area, 0…1

@@ -65,7 +65,7 @@ struct Verdict {
 ///
 /// - A ratio above 1 + `verify_accuracy` proves that there is no map which keeps the bounds.
 /// - A ratio up to that proves that each sample has a point of the other surface within the bounds. It does not prove that
-///   there is a map, nor anything of the points between the samples. (What `reduce` promises is proved by its map instead.)
+///   there is a map, nor anything of the points between the samples. (What `reduce` guarantees is proved by its map instead.)
 ///
 /// `bounds`: absolute, each in the unit of its variable, that of position first, then one a variable of the original; each
 /// above zero, infinity where it is free. `reduced` has the bounded variables of the original by the same names and numbers.

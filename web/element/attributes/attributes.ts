@@ -69,7 +69,7 @@ export const attributes = {
   refusePiercing: flag(),
   /** Limit the bound of position to half the smallest distance between two parts of the surface that face each other. */
   limitToFeatureSize: flag(),
-  /** Leave out parts of the surface that are smaller than the bound of position, and count them; the promise is about the rest. */
+  /** Leave out parts of the surface that are smaller than the bound of position, and count them; the guarantee is about the rest. */
   dropSmallComponents: flag(),
   /** Points that stay as they are, by their numbers in the surface as it is read, counted from 0: `3,17,20-40`. */
   lockPoints: text(),

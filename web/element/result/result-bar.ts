@@ -4,8 +4,8 @@ import type { Opening } from '../../session/session-state.ts';
 import { english } from '../../words/english.ts';
 import { controlsStyle } from '../controls/controls-style.ts';
 import { removedText, secondsText } from '../number-text.ts';
+import { guaranteeSentence, isProvisional } from './guarantee-words.ts';
 import { openingText } from './progress.ts';
-import { isProvisional, promiseSentence } from './promise-words.ts';
 
 /**
  * The result as one sentence, what it cost, and, in its slot, where to take it.
@@ -173,7 +173,7 @@ export class ResultBar extends LitElement {
   }
 
   #sentence(report: Report): string {
-    const sentence = promiseSentence(report, this.measured, this.multiplied);
+    const sentence = guaranteeSentence(report, this.measured, this.multiplied);
     const provisional = isProvisional(report) ? english.sentence.provisional : '';
     return [this.lead, provisional, sentence].filter(Boolean).join(' ');
   }

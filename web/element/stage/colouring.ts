@@ -31,7 +31,7 @@ export interface Meaning {
   beyond?: { below: boolean; above: boolean };
   /** What is written at the two ends of the map; none where its numbers say all. */
   ends: readonly [lowest: string, highest: string] | null;
-  /** Places above 1 are broken promises. */
+  /** Places above 1 are broken guarantees. */
   bounded: boolean;
   /** There is nothing to show, because the variable has no bound. */
   free: boolean;

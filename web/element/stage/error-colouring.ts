@@ -11,7 +11,7 @@ import type { Labels } from '../../formats/surface.ts';
 import { type Multiplied, vertexShares } from '../../probe/multiplied.ts';
 import { english } from '../../words/english.ts';
 import type { ViewSettings } from '../attributes/view-settings.ts';
-import { isFree, isMeasured } from '../result/promise-words.ts';
+import { isFree, isMeasured } from '../result/guarantee-words.ts';
 import type { Colouring, Meaning } from './colouring.ts';
 
 /** What the legend of an original says that keeps its values where errors are looked at. */

@@ -4,7 +4,7 @@ import type { OpenSurface } from '../../session/reading/open-surface.ts';
 import type { Standing } from '../../session/session-state.ts';
 import { english } from '../../words/english.ts';
 import { countText } from '../number-text.ts';
-import { isProvisional } from '../result/promise-words.ts';
+import { isProvisional } from '../result/guarantee-words.ts';
 import type { LevelStep } from './level-view.ts';
 
 /** What stands above the original: how many triangles it has. */

@@ -17,7 +17,7 @@ import { controlsStyle } from '../controls/controls-style.ts';
 import { type Colouring, type Meaning, meanTheSame } from './colouring.ts';
 import '../legend/legend.ts';
 import { legendWidth } from '../legend/legend-picture.ts';
-import { isProvisional } from '../result/promise-words.ts';
+import { isProvisional } from '../result/guarantee-words.ts';
 import type { LevelStep, LevelView, MorphStep } from './level-view.ts';
 import '../probe/probe-layer.ts';
 import { english } from '../../words/english.ts';

@@ -159,7 +159,7 @@ async function reduceAndWrite(
   const { levels, options, keeping, output } = request;
   const { mesh } = surface;
   const format = outputFormat(output);
-  // A part of every bound is the format's: what is promised is promised of the file.
+  // A part of every bound is the format's: what is guaranteed is guaranteed of the file.
   const least = leastMultiplier(mesh, keeping.boundMultiplier);
   const parts = await named(output, async () => {
     await requireHeld(format, mesh, surface);

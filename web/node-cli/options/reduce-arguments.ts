@@ -15,7 +15,7 @@ Usage: meshbound reduce IN -o OUT --bound NAME=BOUND …
 A bound is the largest allowed error of a variable: 1% of its extent (the length of the diagonal of the box of its
 values), 0.2 in its unit, or free. "position" is the geometry, "*" every variable not named but identifiers (numbers of
 points, masks); of two bounds with one name the later one holds. A variable without bound is free: it is carried along,
-and nothing is promised of it.
+and nothing is guaranteed of it.
 
 Options:
   -o, --output OUT        the file to write: .vtp, .vtk, .ply, .glb, .obj or .stl, and .gz behind any of them

@@ -83,5 +83,5 @@ export function freeNotes(variables: readonly Bounded[]): string[] {
 }
 
 function nothingPromised({ length }: readonly string[]): string {
-  return `free, so nothing is promised of ${length === 1 ? 'it' : 'them'}`;
+  return `free, so nothing is guaranteed of ${length === 1 ? 'it' : 'them'}`;
 }

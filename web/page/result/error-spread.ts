@@ -2,7 +2,7 @@ import { css, html, LitElement, nothing, svg } from 'lit';
 import type { Mesh, Report, VariableReport } from '../../../wasm/types.ts';
 import { controlsStyle } from '../../element/controls/controls-style.ts';
 import { countText, percentText, upperShareText } from '../../element/number-text.ts';
-import { isMeasured } from '../../element/result/promise-words.ts';
+import { isMeasured } from '../../element/result/guarantee-words.ts';
 import { type ErrorHistogram, errorHistograms, histogramBins } from '../../probe/error-histogram.ts';
 import type { Multiplied } from '../../probe/multiplied.ts';
 import { pageEnglish } from '../../words/page-english.ts';

@@ -1,7 +1,7 @@
 import { css, html, LitElement } from 'lit';
 import type { Report } from '../../../wasm/types.ts';
 import { controlsStyle } from '../../element/controls/controls-style.ts';
-import { type HeldBack as Held, heldBackShares, roughShareText } from '../../element/result/promise-words.ts';
+import { type HeldBack as Held, heldBackShares, roughShareText } from '../../element/result/guarantee-words.ts';
 import { english } from '../../words/english.ts';
 
 /** What holds a reduction back: which bound to loosen for fewer triangles. */

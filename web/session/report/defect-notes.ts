@@ -64,7 +64,7 @@ function triangles(count: number): string {
 export function droppedNotes({ components: parts, triangles: count }: Report['dropped']): string[] {
   if (parts === 0) return [];
   const left = parts === 1 ? '1 part' : `${parts} parts`;
-  return [`${left} smaller than the bound of position, ${triangles(count)}: left out; nothing is promised of them.`];
+  return [`${left} smaller than the bound of position, ${triangles(count)}: left out; nothing is guaranteed of them.`];
 }
 
 /** Where parts may come to pierce each other, and what keeps them from it: a sentence; `near` as havePartsWithin has it. */

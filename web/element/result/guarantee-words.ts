@@ -5,7 +5,7 @@ import { english } from '../../words/english.ts';
 import { littleWentSentence } from '../../words/little-went.ts';
 import { countText, isRounding, lowerPercentText, upperPercentText, upperText } from '../number-text.ts';
 
-const words = english.promise;
+const words = english.guarantee;
 
 /** A bound or an error of a variable as a percentage; in its unit where there is nothing to take a percentage of. */
 function shareText(value: number, variable: VariableExtent): string {
@@ -31,13 +31,13 @@ export function isMeasured({ vertexErrors }: Reduction): boolean {
 }
 
 /**
- * The result as the promise states it: "806 of 99 980 triangles. Every point within 1 % in space, 3 % in pressure: proved;
+ * The result as the guarantee states it: "806 of 99 980 triangles. Every point within 1 % in space, 3 % in pressure: proved;
  * most used: pressure, 2.97 % (99 % of its bound)." Claims nothing of a variable without a bound.
  *
  * @param measured whether the errors were measured; otherwise they are limits, and the sentence says so
  * @param multiplied whether the bounds were multiplied by what differs over the surface
  */
-export function promiseSentence(report: Report, measured: boolean, multiplied = false): string {
+export function guaranteeSentence(report: Report, measured: boolean, multiplied = false): string {
   const { triangles, variables, dropped } = report;
   const [after, before] = [countText(triangles.after), countText(triangles.before)];
   const counted = words.counted(after, before, english.triangles(triangles.before));

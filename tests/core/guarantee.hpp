@@ -16,8 +16,8 @@
 #include "meshbound/meshbound.hpp"
 #include "meshes/topology.hpp"
 
-/// What is promised of every reduction, as checks that any test can make.
-namespace promise {
+/// What is guaranteed of every reduction, as checks that any test can make.
+namespace guarantee {
 
 using meshbound::Mesh;
 using meshbound::Reduction;
@@ -161,4 +161,4 @@ inline void expect_everything(const Mesh& mesh, const Reduction& reduction, std:
     expect_judge_agrees(mesh, reduction, samples);
 }
 
-} // namespace promise
+} // namespace guarantee

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { Report, VariableReport } from '../../wasm/types.ts';
-import { heldBackShares, promiseSentence, roughShareText } from '../../web/element/result/promise-words.ts';
+import { guaranteeSentence, heldBackShares, roughShareText } from '../../web/element/result/guarantee-words.ts';
 import { noDefects } from './no-defects.ts';
 
 function variable(name: string, fraction: number, ratio: number, refused = 0): VariableReport {
@@ -44,9 +44,9 @@ function report(variables: VariableReport[], refused: Partial<Report['refused']>
 }
 
 const plain = (text: string) => text.replace(/[\u202f\u00a0]/g, ' ');
-const sentence = (variables: VariableReport[]) => plain(promiseSentence(report(variables), true));
+const sentence = (variables: VariableReport[]) => plain(guaranteeSentence(report(variables), true));
 
-describe('the promise', () => {
+describe('the guarantee', () => {
   test('states counts, every bound and the one that is used most', () => {
     expect(
       sentence([variable('position', 0.01, 0.9), variable('pressure', 0.03, 0.99), variable('density', 0.02, 0.3)]),
@@ -58,7 +58,7 @@ describe('the promise', () => {
 
   test('counts a single triangle as one', () => {
     const single = { ...report([variable('position', 0.01, 0)]), triangles: { before: 1, after: 1 } };
-    expect(plain(promiseSentence(single, true))).toContain('1 of 1 triangle. Every');
+    expect(plain(guaranteeSentence(single, true))).toContain('1 of 1 triangle. Every');
   });
 
   test('puts variables with one bound together', () => {
@@ -70,29 +70,29 @@ describe('the promise', () => {
   test('claims nothing of free variables, and names them', () => {
     const text = sentence([free('position'), variable('a', 0.03, 0.5), free('b')]);
     expect(text).toContain(
-      'within 3 % in a: proved; most used: a, 1.5 % (50 % of its bound). Free, so nothing promised: space and b.',
+      'within 3 % in a: proved; most used: a, 1.5 % (50 % of its bound). Free, so nothing guaranteed: space and b.',
     );
   });
 
   test('says of errors that were not measured that they are limits', () => {
-    const propagated = plain(promiseSentence(report([variable('a', 0.03, 0.5)]), false));
+    const propagated = plain(guaranteeSentence(report([variable('a', 0.03, 0.5)]), false));
     expect(propagated).toContain('within 3 % in a: proved; most used: a, at most 1.5 % (50 % of its bound).');
   });
 
   test('says of bounds that are multiplied that they are, and where the share is', () => {
-    const multiplied = plain(promiseSentence(report([variable('a', 0.03, 0.5)]), true, true));
+    const multiplied = plain(guaranteeSentence(report([variable('a', 0.03, 0.5)]), true, true));
     expect(multiplied).toContain(
       'within 3 % in a, times the multiplier there: proved; most used: a, 50 % of its bound there; its largest error is 1.5 %.',
     );
   });
 
-  test('promises nothing of parts that were left out, and counts them', () => {
+  test('guarantees nothing of parts that were left out, and counts them', () => {
     const all = report([variable('a', 0.03, 0.5)]);
     const dropped = (parts: number) =>
-      plain(promiseSentence({ ...all, dropped: { components: parts, triangles: 9 } }, true));
+      plain(guaranteeSentence({ ...all, dropped: { components: parts, triangles: 9 } }, true));
     expect(dropped(0)).not.toContain('left out');
-    expect(dropped(1)).toMatch(/ 1 small part left out: nothing promised of it\.$/);
-    expect(dropped(3)).toMatch(/ 3 small parts left out: nothing promised of them\.$/);
+    expect(dropped(1)).toMatch(/ 1 small part left out: nothing guaranteed of it\.$/);
+    expect(dropped(3)).toMatch(/ 3 small parts left out: nothing guaranteed of them\.$/);
   });
 
   test('proves nothing where everything is free', () => {

@@ -51,7 +51,7 @@ async function judged(original: Mesh, reduced: Mesh): Promise<number> {
 const placed = wavedSquare(6_000_000.1, 2_000_000.06, 305);
 const near = wavedSquare(0.1, 0.06, 3);
 
-describe('what is promised is promised of the file', () => {
+describe('what is guaranteed is guaranteed of the file', () => {
   it.each<[Format, Mesh]>([
     ['ply', placed],
     ['vtp', placed],

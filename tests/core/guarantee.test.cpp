@@ -1,4 +1,4 @@
-// The promise over every kind of surface: the independent judge agrees.
+// The guarantee over every kind of surface: the independent judge agrees.
 
 #include <cmath>
 #include <vector>
@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "guarantee.hpp"
 #include "meshes/fields.hpp"
 #include "meshes/gallery.hpp"
 #include "meshes/random.hpp"
@@ -13,35 +14,34 @@
 #include "meshes/variations.hpp"
 #include "meshes/voxel_surface.hpp"
 #include "modes.hpp"
-#include "promise.hpp"
 
 namespace {
 
 using namespace meshbound;
 
-class Promise : public ModeTest {};
-EVERY_MODE(Promise);
+class Guarantee : public ModeTest {};
+EVERY_MODE(Guarantee);
 
-void expect_promise_over_gallery(const Mode& mode, const Bounds& bounds) {
+void expect_guarantee_over_gallery(const Mode& mode, const Bounds& bounds) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
-        const Reduction reduction = promise::reduced(exhibit.mesh, bounds, mode.options());
-        promise::expect_everything(exhibit.mesh, reduction);
+        const Reduction reduction = guarantee::reduced(exhibit.mesh, bounds, mode.options());
+        guarantee::expect_everything(exhibit.mesh, reduction);
         if (!exhibit.closed) continue;
         EXPECT_GT(meshes::enclosed_volume(exhibit.mesh) * meshes::enclosed_volume(reduction.mesh), 0)
             << "turned inside out";
     }
 }
 
-TEST_P(Promise, HoldsAtTightBounds) { expect_promise_over_gallery(GetParam(), promise::percent(0.1, 1)); }
-TEST_P(Promise, HoldsAtUsualBounds) { expect_promise_over_gallery(GetParam(), promise::percent(1, 3)); }
-TEST_P(Promise, HoldsAtLooseBounds) { expect_promise_over_gallery(GetParam(), promise::percent(6, 6)); }
+TEST_P(Guarantee, HoldsAtTightBounds) { expect_guarantee_over_gallery(GetParam(), guarantee::percent(0.1, 1)); }
+TEST_P(Guarantee, HoldsAtUsualBounds) { expect_guarantee_over_gallery(GetParam(), guarantee::percent(1, 3)); }
+TEST_P(Guarantee, HoldsAtLooseBounds) { expect_guarantee_over_gallery(GetParam(), guarantee::percent(6, 6)); }
 
-TEST_P(Promise, RemovesSomething) {
+TEST_P(Guarantee, RemovesSomething) {
     for (const meshes::Exhibit& exhibit : meshes::gallery()) {
         SCOPED_TRACE(exhibit.name);
         const Bounds bounds = {{"position", relative(0.06)}};
-        const Reduction reduction = promise::reduced(exhibit.mesh, bounds, GetParam().options());
+        const Reduction reduction = guarantee::reduced(exhibit.mesh, bounds, GetParam().options());
         EXPECT_LT(reduction.mesh.triangles.size(), exhibit.mesh.triangles.size() / 2);
     }
 }
@@ -83,7 +83,7 @@ Mesh perhaps_opened(const Mesh& mesh, meshes::Random& random) {
     return opened;
 }
 
-TEST_P(Promise, HoldsForRandomSurfacesAndBounds) {
+TEST_P(Guarantee, HoldsForRandomSurfacesAndBounds) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE(seed);
         meshes::Random random(seed);
@@ -95,11 +95,11 @@ TEST_P(Promise, HoldsForRandomSurfacesAndBounds) {
         if (random.below(2) == 0) mesh = meshes::in_single(mesh);
         Bounds bounds = {{"position", random_bound(random)}};
         for (const Variable& variable : mesh.variables) bounds.push_back({variable.name, random_bound(random)});
-        promise::expect_everything(mesh, promise::reduced(mesh, bounds, GetParam().options()), 5'000);
+        guarantee::expect_everything(mesh, guarantee::reduced(mesh, bounds, GetParam().options()), 5'000);
     }
 }
 
-TEST_P(Promise, SurvivesTighteningOfAnyBoundAndAddingOfAnyVariable) {
+TEST_P(Guarantee, SurvivesTighteningOfAnyBoundAndAddingOfAnyVariable) {
     const std::vector<meshes::Exhibit> gallery = meshes::gallery();
     for (std::size_t i = 0; i < gallery.size(); i += 3) {
         SCOPED_TRACE(gallery[i].name);
@@ -109,9 +109,9 @@ TEST_P(Promise, SurvivesTighteningOfAnyBoundAndAddingOfAnyVariable) {
         for (const Variable& variable : gallery[i].mesh.variables) {
             mesh.variables.push_back(variable);
             bounds.push_back({variable.name, relative(0.05)});
-            promise::expect_everything(mesh, promise::reduced(mesh, bounds, GetParam().options()), 5'000);
+            guarantee::expect_everything(mesh, guarantee::reduced(mesh, bounds, GetParam().options()), 5'000);
             bounds.back().bound = relative(0.005);
-            promise::expect_everything(mesh, promise::reduced(mesh, bounds, GetParam().options()), 5'000);
+            guarantee::expect_everything(mesh, guarantee::reduced(mesh, bounds, GetParam().options()), 5'000);
         }
     }
 }
