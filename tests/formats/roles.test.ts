@@ -138,6 +138,15 @@ describe('what a file declares', () => {
     expect(back.mesh.variables.map(({ kind }) => kind)).toEqual([undefined, undefined, 'identifier']);
   });
 
+  it.each(pairs)('goes from %s to %s under names that tell nothing', async (from, onto) => {
+    const colour = { name: 'd', components: 3, values: bytes };
+    const all = smallMesh([shape, coordinates, colour]);
+    const declared = { ...roles, d: 'colour' } as const;
+    const first = await readSurface(`a.${from}`, await writeSurface(from, all, { roles: declared }));
+    const second = await readSurface(`b.${onto}`, await writeSurface(onto, first.mesh, first));
+    expect(valuesByRole(second)).toEqual(expected);
+  });
+
   it('counts before what another variable is called', async () => {
     const named = { name: 'normal', components: 3, values: Float32Array.from(unitVectors, (value) => -value) };
     const both = smallMesh([named, shape]);

@@ -4,9 +4,9 @@ import { joined } from '../bytes/joined-arrays.ts';
 import { FormatError } from '../format-error.ts';
 import { type Labels, noLabels, type WriteOptions } from '../surface.ts';
 import { listed, quoted } from '../text/wording.ts';
-import { isByteColour } from '../variables/colours.ts';
+import { areBytes } from '../variables/colours.ts';
 import { asFloatingPoint } from '../variables/precision.ts';
-import { byRole, nameOf, type Role, roleSpelled, spellings } from '../variables/roles.ts';
+import { byRole, declareRole, nameOf, type Role, roleSpelled, spellings } from '../variables/roles.ts';
 import { upsideDown } from './texture-direction.ts';
 
 /** An attribute of a primitive as a variable. Numbers of glTF are single precision; texture coordinates are so no more when v is turned round. */
@@ -58,7 +58,7 @@ export function unfitInGltf({ variables }: Pick<Mesh, 'variables'>, options: Pic
 function fits(variable: Variable, role: Role): boolean {
   const { values } = variable;
   if (role === 'normal') return areUnitVectors(values);
-  if (role === 'colour') return isByteColour(variable) || values.every((value: number) => value >= 0 && value <= 1);
+  if (role === 'colour') return areBytes(values) || values.every((value: number) => value >= 0 && value <= 1);
   return true;
 }
 
@@ -173,11 +173,13 @@ export function joinAttributes(parts: GltfAttribute[][], notes: string[]): { var
   const labels = noLabels();
   const partial = new Set(parts.flatMap((part) => part.map(({ name }) => name)));
   const attributesOf = parts.map((part) => new Map(part.map((attribute) => [attribute.name, attribute])));
-  const variables = parts[0].flatMap(({ name, components, unit, componentNames }): Variable[] => {
+  const roles: Record<string, Role> = Object.create(null);
+  const variables = parts[0].flatMap(({ name, semantic, components, unit, componentNames }): Variable[] => {
     const matching = attributesOf.flatMap((attributes) => attributes.get(name) ?? []);
     const found = matching.filter((other) => other.components === components);
     if (found.length < parts.length) return [];
     partial.delete(name);
+    declareRole(roles, { name, components }, roleSpelled('gltf', semantic));
     if (unit) labels.units[name] = unit;
     if (componentNames?.length === components) labels.componentNames[name] = componentNames;
     const values = found.map((each) => each.values);
@@ -185,5 +187,5 @@ export function joinAttributes(parts: GltfAttribute[][], notes: string[]): { var
     return [{ name, components, values: single ? joined(values, Float32Array) : joined(values, Float64Array) }];
   });
   if (partial.size > 0) notes.push(`Not carried, since not every primitive has them: ${listed([...partial])}.`);
-  return { variables, labels };
+  return { variables, labels: { ...labels, roles } };
 }

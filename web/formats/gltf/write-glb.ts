@@ -1,7 +1,7 @@
 import { type Accessor, Document, type Extension, Logger, type Node, Primitive, WebIO } from '@gltf-transform/core';
 import type { Mesh, Variable } from '../../../wasm/types.ts';
 import type { WriteOptions } from '../surface.ts';
-import { isByteColour } from '../variables/colours.ts';
+import { areBytes } from '../variables/colours.ts';
 import { byRole, type Role } from '../variables/roles.ts';
 import { type GltfExtras, isTexture, semanticFor } from './gltf-variables.ts';
 import { localOrigin } from './local-origin.ts';
@@ -93,7 +93,7 @@ function addVariable(
   const semantic = semanticFor({ ...variable, values: Float32Array.from(variable.values) }, role);
   const free = types.has(components) ? unique(nextOfItsKind(variable, used) ?? semantic, used) : semantic;
   const values = Float32Array.from(isTexture(free) ? upsideDown(variable.values) : variable.values);
-  const isBytes = /^COLOR_\d+$/.test(free) && isByteColour(variable);
+  const isBytes = /^COLOR_\d+$/.test(free) && areBytes(variable.values);
   if (types.has(components)) add(free, isBytes ? Uint8Array.from(values) : values, components, extras);
   for (let component = 0; !types.has(components) && component < components; component++) {
     const part = values.filter((_, i) => i % components === component);

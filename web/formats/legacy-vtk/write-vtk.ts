@@ -1,7 +1,7 @@
 import type { Mesh, Variable } from '../../../wasm/types.ts';
 import { labelArrays } from '../regions/label-arrays.ts';
 import type { WriteOptions } from '../surface.ts';
-import { isByteColour } from '../variables/colours.ts';
+import { areBytes } from '../variables/colours.ts';
 import { byRole, type Role, spellings } from '../variables/roles.ts';
 import { asWhole, type WholeArray, wholeTypeIn } from '../variables/whole-numbers.ts';
 import type { WholeType } from '../variables/whole-types.ts';
@@ -65,7 +65,7 @@ function headOf(role: Role, variable: Variable, options: WriteOptions): Head | u
   if (role === 'textureCoordinates') return (name, type) => `${keyword} ${name} ${components} ${type}`;
   if (role !== 'colour') return (name, type) => `${keyword} ${name} ${type}`;
   // They are bytes there, and VTK expects no METADATA behind them.
-  const isPlain = isByteColour(variable) && metadata(variable, options) === '';
+  const isPlain = areBytes(variable.values) && metadata(variable, options) === '';
   return isPlain ? (name) => `${keyword} ${name} ${components}` : undefined;
 }
 

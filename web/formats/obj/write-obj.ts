@@ -27,7 +27,7 @@ export function lostInObj(mesh: Mesh, options: WriteOptions = {}): Variable[] {
  */
 export function writeObj(mesh: Mesh, options: WriteOptions = {}): Uint8Array {
   const { colour, uv, normal } = heldIn(mesh, options);
-  const fractions = colour && asFractions(colour);
+  const fractions = colour && asFractions(colour.values);
   const lines = ['# written by Meshbound'];
   const points = mesh.position.length / 3;
   const row = (values: ArrayLike<number>, components: number, point: number) =>

@@ -9,7 +9,7 @@ import { undecoded } from '../text/utf8-text.ts';
 import { capitalised, counted, grouped, listed, quoted } from '../text/wording.ts';
 import { withKinds } from '../variables/identifiers.ts';
 import { asFloatingPoint } from '../variables/precision.ts';
-import { nameOf } from '../variables/roles.ts';
+import { declareRole, nameOf, type Role, roleOfProperties } from '../variables/roles.ts';
 import { isWholeType, type WholeType } from '../variables/whole-types.ts';
 import { labelsOfTriangles, misfitAmong } from '../vtk-data/vtk-pieces.ts';
 import {
@@ -101,16 +101,35 @@ function readBody(bytes: Uint8Array, header: PlyHeader, values: PlyValues): Surf
     triangles,
     variables: withKinds(variables, triangles, (name) => Object.hasOwn(wholeTypes, name)),
   };
-  return { mesh, notes, ...labels(header, variables), wholeTypes, ...cellLabels };
+  const roles = rolesOf(header);
+  return { mesh, notes, ...labels(header, variables), wholeTypes, roles, ...cellLabels };
+}
+
+/** What variables are whose properties say so, whatever a comment calls them. */
+function rolesOf(header: PlyHeader): Record<string, Role> {
+  const roles: Record<string, Role> = Object.create(null);
+  for (const { name, properties } of groupsOf(header))
+    declareRole(roles, { name, components: properties.length }, roleOfProperties(properties));
+  return roles;
+}
+
+/** The variables of the vertices, but for the geometry. */
+function groupsOf({ elements, comments }: PlyHeader): PlyVariable[] {
+  const properties = elements.find(({ name }) => name === 'vertex')?.properties ?? [];
+  const plain = properties.filter(({ listLength }) => !listLength).map(({ name }) => name);
+  return groupProperties(
+    plain.filter((name) => !coordinates.includes(name)),
+    comments,
+  );
 }
 
 /** The types of the variables that the file holds as whole numbers; of components that differ, one that holds them all. */
-function wholeTypesOf({ elements, comments }: PlyHeader): Record<string, WholeType> {
+function wholeTypesOf(header: PlyHeader): Record<string, WholeType> {
+  const { elements } = header;
   const properties = elements.find(({ name }) => name === 'vertex')?.properties ?? [];
   const byName = new Map(properties.filter(({ listLength }) => !listLength).map((each) => [each.name, each]));
-  const rest = [...byName.keys()].filter((name) => !coordinates.includes(name));
   const types: Record<string, WholeType> = Object.create(null);
-  for (const group of groupProperties(rest, comments)) {
+  for (const group of groupsOf(header)) {
     const [first, ...others] = typesOf(group, byName);
     const ofAll = others.every((type) => type === first) ? first : 'int32';
     if (![first, ...others].some(isFloatType) && isWholeType(ofAll)) types[group.name] = ofAll;

@@ -1,5 +1,5 @@
 import type { Variable } from '../../../wasm/types.ts';
-import { roleOf } from './roles.ts';
+import { type Declared, roleOf } from './roles.ts';
 
 // A colour keeps the numbers of its file, 0…255 where that has bytes, so that a bound means the same whichever of the formats
 // it came from: uchar in PLY and VTK, normalised bytes in glTF, 255ths from 0 to 1 in OBJ. Fractions stay fractions.
@@ -9,17 +9,21 @@ const brightest = 255;
 /** OBJ files have 255ths with some digits; so far from one a number is another. */
 const digitsLost = 1e-3;
 
-/** Whether this is a colour of bytes. Zeros and ones alone are fractions. */
-export function isByteColour(variable: Variable): boolean {
+/** Whether the numbers of a colour are bytes. Zeros and ones alone are fractions. */
+export function areBytes(values: Variable['values']): boolean {
   const isByte = (value: number) =>
     value >= 0 && value <= brightest && Number.isInteger(value) && !Object.is(value, -0);
-  const { values } = variable;
-  return roleOf(variable) === 'colour' && values.every(isByte) && values.some((value: number) => value > 1);
+  return values.every(isByte) && values.some((value: number) => value > 1);
 }
 
-/** A colour as fractions, as OBJ has them. */
-export function asFractions(variable: Variable): Float64Array | Variable['values'] {
-  return isByteColour(variable) ? Float64Array.from(variable.values, (value) => value / brightest) : variable.values;
+/** Whether this is a colour of bytes, by its name or by what its file declares. */
+export function isByteColour(variable: Variable, declared: Declared = {}): boolean {
+  return roleOf(variable, declared) === 'colour' && areBytes(variable.values);
+}
+
+/** The numbers of a colour as fractions, as OBJ has them. */
+export function asFractions(values: Variable['values']): Variable['values'] {
+  return areBytes(values) ? Float64Array.from(values, (value) => value / brightest) : values;
 }
 
 /** Fractions as bytes where they all are 255ths; else as they are. */

@@ -67,7 +67,7 @@ const roles = Object.keys(spellings) as Role[];
 type Shape = Pick<Variable, 'name' | 'components'>;
 
 /** What files declare their variables to be, by name. */
-interface Declared {
+export interface Declared {
   roles?: Record<string, Role>;
 }
 
@@ -92,6 +92,12 @@ export function byRole<Each extends Shape>(variables: readonly Each[], labels: D
   return found;
 }
 
+/** The role that PLY spells by these properties; undefined where they are none's. */
+export function roleOfProperties(properties: readonly string[]): Role | undefined {
+  const spelled = properties.join(' ');
+  return roles.find((role) => spellings[role].ply?.some((each) => each.join(' ') === spelled));
+}
+
 /** The role that a format spells so; undefined where the spelling is none. */
 export function roleSpelled(format: 'gltf' | 'obj' | 'vtp' | 'vtk', spelling: string): Role | undefined {
   return roles.find((role) => spellings[role][format] === spelling);
@@ -100,6 +106,11 @@ export function roleSpelled(format: 'gltf' | 'obj' | 'vtp' | 'vtk', spelling: st
 /** Whether variables of this role tell things apart and measure nothing. */
 export function identifies(role: Role | undefined): boolean {
   return role === 'globalIds' || role === 'pedigreeIds';
+}
+
+/** Declares what a variable is where its name does not tell. */
+export function declareRole(declared: Record<string, Role>, variable: Shape, role: Role | undefined): void {
+  if (role && roleOf(variable) !== role) declared[variable.name] = role;
 }
 
 /** What a variable of this role is called where its format has no names. */

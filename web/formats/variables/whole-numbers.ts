@@ -34,11 +34,11 @@ const held: Partial<Record<Format, (type: WholeType) => boolean>> = {
   vtk: () => true,
 };
 
-type Types = Pick<Partial<Labels>, 'wholeTypes'>;
+type Types = Pick<Partial<Labels>, 'wholeTypes' | 'roles'>;
 
 /** The type of whole numbers that a file of this format gets for a variable; undefined where that stays floating point. */
 export function wholeTypeIn(format: Format, variable: Variable, types: Types): WholeType | undefined {
-  if (held[format] && isByteColour(variable)) return 'uint8';
+  if (held[format] && isByteColour(variable, types)) return 'uint8';
   const type = declaredType(variable, types);
   return type !== undefined && held[format]?.(type) && isHeldBy(type, variable) ? type : undefined;
 }
@@ -49,7 +49,7 @@ export function noLongerWhole(format: Format, variables: Variable[], types: Type
     (variable) =>
       declaredType(variable, types) !== undefined &&
       wholeTypeIn(format, variable, types) === undefined &&
-      !isByteColour(variable),
+      !isByteColour(variable, types),
   );
 }
 

@@ -62,8 +62,13 @@ export function meshOfPieces(pieces: Piece[], notes: string[]): Mesh {
 export function declaredIn(pieces: Piece[], variables: Variable[]): Required<Pick<Labels, 'wholeTypes' | 'roles'>> {
   return {
     wholeTypes: saidByAll(pieces, variables, ({ wholeType }) => wholeType),
-    roles: saidByAll(pieces, variables, ({ role }) => role),
+    roles: saidByAll(pieces, variables, (array) => array.role ?? colourByType(array)),
   };
+}
+
+/** Three or four bytes are what VTK draws as a colour, whatever they are called. */
+function colourByType({ wholeType, components }: PointArray): Role | undefined {
+  return wholeType === 'uint8' && (components === 3 || components === 4) ? 'colour' : undefined;
 }
 
 function saidByAll<Said>(
