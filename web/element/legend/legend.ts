@@ -74,7 +74,8 @@ export class Legend extends LitElement {
         .detail::before {
           content: '· ';
         }
-        .ends.value {
+        /* What has a colour of its own is told all the same. */
+        .ends.value span:not(.swatch, :has(.swatch)) {
           display: none;
         }
       }
